@@ -55,7 +55,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     if (!renderer) return machine_fails(renderer.error());
 
     std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options));
-    app->now_s_ = screen.seconds();
+    app->skip_wait();
     app->renderer_name_ = screen.renderer_name();
     if (tier)
         app->display_.tier = *tier;
@@ -72,19 +72,15 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
       image_(screen, notices_, std::move(renderer)),
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
-      options_(options) {
+      options_(options),
+      lookout_(screen, display_) {
     ui_.read_pictures(catalogue_.scenes);
 }
 
 App::~App() = default;
 
 bool App::frame() {
-    const double before = std::exchange(now_s_, screen_.seconds());
-    const double elapsed_s = now_s_ - before;
-    if (last_) {  // only now is known how long it took
-        last_->frame_ms = static_cast<float>(1000 * elapsed_s);
-        times_.add(*last_);
-    }
+    const double elapsed_s = frames_.begin(screen_.seconds());
     FrameTime time;
     Stopwatch watch(screen_);
 
@@ -117,9 +113,9 @@ bool App::frame() {
         screen_.present();
         time.stage_ms[stage_index(Stage::kPresent)] = watch.lap();
         // Last, of the world that was just shown.
-        if (std::exchange(screenshot_asked_, false)) take_screenshot();
+        if (screenshots_.asked()) take_screenshot();
     }
-    last_ = time;
+    frames_.end(time);
     return !leaving_ && !image_.failure();
 }
 
@@ -130,37 +126,37 @@ Outcome<void> App::finish() {
 
 void App::begin_tutorial(const Remembered& led) {
     if (!led.told.empty()) warn(led.told);
-    now_s_ = screen_.seconds();
-    tutorial_.begin(led, sandbox_->watches(), now_s_);
+    skip_wait();
+    tutorial_.begin(led, sandbox_->watches(), now_s());
     if (!tutorial_.shows_opening()) return;
-    clock_.set_speed(kOpeningSpeed);
-    camera_->chase(true);
+    time_.clock().set_speed(kOpeningSpeed);
+    lookout_.control().chase(true);
 }
 
 // While the slide of the opening is watched, any key or button ends it, and does nothing else.
 std::span<const Event> App::watch_opening(std::span<const Event> events) {
     if (!tutorial_.shows_opening()) return events;
-    if (tutorial_.opening_ends(events, sandbox_->session().seconds(), now_s_)) end_opening();
+    if (tutorial_.opening_ends(events, sandbox_->session().seconds(), now_s())) end_opening();
     return tutorial_.without_presses(events);
 }
 
 // The same mountain, untouched.
 void App::end_opening() {
-    camera_->chase(false);
+    lookout_.control().chase(false);
     open_or_tell(Guide::kMountain, {});
-    camera_->set_home(home());
-    camera_->overview();
+    lookout_.control().set_home(home());
+    lookout_.control().overview();
     tutorial_.end_opening();
 }
 
 // Shows the hint that is due, and puts the tool of a new step into the hand.
 void App::lead() {
     const auto begun =
-        tutorial_.see({.now_s = now_s_,
+        tutorial_.see({.now_s = now_s(),
                        .may_play = !tutorial_.shows_opening() && !sandbox_->watches() &&
                                    !sandbox_->scenario().goal && !sandbox_->scenario().flow,
-                       .moves = !sim::at_rest(sandbox_->session().state()) && !open_.pace.creeps(),
-                       .runs_back = clock_.runs_back(),
+                       .moves = !sim::at_rest(sandbox_->session().state()) && !time_.pace().creeps(),
+                       .runs_back = time_.clock().runs_back(),
                        .looks_back = sandbox_->looks_back()});
     if (!begun) return;
     if (*begun == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
@@ -177,57 +173,13 @@ void App::perform_all() {
     actions_.clear();
 }
 
-const render::Surroundings& App::surroundings() const {
-    static const render::Surroundings none;
-    return display_.surroundings ? around_.mountains : none;
-}
-
-render::Ray App::ray_under(glm::dvec2 point) const {
-    const ScreenSize size = screen_.size();
-    return render::ray_through(camera_->camera(), static_cast<double>(size.width) / size.height, point);
-}
-
-std::optional<double> App::mountain_along(render::Ray ray) const {
-    ray.from.z -= sandbox_->session().view().datum;
-    return surroundings().meet(ray.from, ray.along);
-}
-
-std::optional<glm::dvec3> App::ground_under(glm::dvec2 point) const {
-    const render::Ray ray = ray_under(point);
-    const auto ground = render::pick(sandbox_->session().view(), ray);
-    if (!ground) return std::nullopt;
-    const auto mountain = mountain_along(ray);
-    return mountain && *mountain < glm::distance(ray.from, *ground) ? std::nullopt : ground;
-}
-
 void App::move_camera(double elapsed_s) {
     const sim::View world = sandbox_->session().view();
-    const ScreenSize size = screen_.size();
-    const double aspect = static_cast<double>(size.width) / size.height;
-    CameraWish wish;
-    const auto cursor = input_.cursor();
-    if (input_.camera_drag_began()) drag_pivot_ = ground_under(input_.drag_from());
-    if (const auto drag = input_.camera_drag(); drag && cursor) {
-        wish.drag = drag == Gesture::kTurn ? CameraWish::Drag::kTurn : CameraWish::Drag::kPan;
-        wish.from = input_.drag_from();
-        wish.to = *cursor;
-        wish.pivot = drag_pivot_;
-    }
-    if (input_.zoom_steps() != 0 && cursor) {
-        wish.zoom_steps = input_.zoom_steps();
-        if (!wish.pivot) wish.pivot = ground_under(*cursor);
-    }
-    wish.walk = {input_.held(Held::kRight, Held::kLeft), input_.held(Held::kForward, Held::kBack),
-                 input_.held(Held::kUp, Held::kDown)};
-    wish.fast = input_.fast();
-    if (camera_->mode() == CameraMode::kChase)
+    if (lookout_.control().mode() == CameraMode::kChase)
         open_.front.see(world);
     else
         open_.front.forget();
-    wish.followed = open_.front.front();
-    camera_->move(wish, world, surroundings(), aspect, elapsed_s);
-
-    ground_ = cursor ? ground_under(*cursor) : std::nullopt;
+    lookout_.move(input_, open_.front.front(), world, elapsed_s);
 }
 
 void App::guide_stroke() {
@@ -235,7 +187,8 @@ void App::guide_stroke() {
     fit_hand();
     if (input_.brush_pressed()) begin_stroke();
     const auto released_at = input_.brush_released_at();
-    const auto at = released_at ? ground_under(*released_at) : ground_;
+    const auto at =
+        released_at ? lookout_.ground_under(*released_at, sandbox_->session().view()) : lookout_.ground();
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
     if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
 }
@@ -258,13 +211,13 @@ void App::begin_stroke() {
     if (sandbox_->scenario().flow)
         return tell("Brushes do not work in a flow demo. Change its speeds in the Display panel");
     // Where the button was pressed; the cursor may have moved on since.
-    const auto at = ground_under(input_.drag_from());
+    const sim::View world = sandbox_->session().view();
+    const auto at = lookout_.ground_under(input_.drag_from(), world);
     if (!at) {
-        if (mountain_along(ray_under(input_.drag_from())))
+        if (lookout_.mountain_under(input_.drag_from(), world))
             tell("Beyond the grid there is only scenery: brushes work inside its border");
         return;
     }
-    const sim::View world = sandbox_->session().view();
     const double bedrock = between(square_under(world.grid, glm::dvec2(*at)), world.bedrock);
     hand_.press(input_.modifiers(), glm::dvec2(*at), bedrock + world.datum,
                 static_cast<double>(world.grid.dx));
@@ -295,15 +248,6 @@ double App::earth_used() const {
     return sandbox_->session().cubic_metres(sim::earth_used(*world.things));
 }
 
-std::optional<glm::dvec2> App::on_screen(glm::dvec3 place) const {
-    const ScreenSize size = screen_.size();
-    const render::Camera& camera = camera_->camera();
-    const glm::dvec4 clip = render::projection_matrix(camera, static_cast<double>(size.width) / size.height) *
-                            (render::view_matrix(camera) * glm::dvec4(place, 1));
-    if (clip.w <= 0) return std::nullopt;
-    return glm::dvec2((clip.x / clip.w + 1) / 2 * size.width, (1 - clip.y / clip.w) / 2 * size.height);
-}
-
 bool App::on_slope_of_brush(glm::dvec2 at) const {
     const sim::State& state = sandbox_->session().state();
     sim::Command command;
@@ -315,13 +259,14 @@ bool App::on_slope_of_brush(glm::dvec2 at) const {
 
 std::optional<ui::StrokeNote> App::stroke_note() const {
     const auto& stroke = hand_.stroke();
-    if (!stroke || !ground_) return std::nullopt;
-    const auto cursor = on_screen(*ground_);
+    const auto& ground = lookout_.ground();
+    if (!stroke || !ground) return std::nullopt;
+    const auto cursor = lookout_.on_screen(*ground);
     if (!cursor) return std::nullopt;
     const sim::View world = sandbox_->session().view();
     ui::StrokeNote note{.cursor = *cursor};
-    if (const auto from = stroke->line_from()) note.length = glm::distance(*from, glm::dvec2(*ground_));
-    note.left_alone = sim::info_of(stroke->deed().kind).has_slope && !on_slope_of_brush(glm::dvec2(*ground_));
+    if (const auto from = stroke->line_from()) note.length = glm::distance(*from, glm::dvec2(*ground));
+    note.left_alone = sim::info_of(stroke->deed().kind).has_slope && !on_slope_of_brush(glm::dvec2(*ground));
     if (!takes(stroke->deed().kind, &sim::Command::rise)) return note;
     const double used = earth_used();
     note.earth = used - open_.earth_before;
@@ -333,44 +278,38 @@ std::optional<ui::StrokeNote> App::stroke_note() const {
 // A tool acts in a pause too, and time moves for that alone: by one tick for what acts at once, and while the button
 // is held for what acts all the time. True in the latter case.
 bool App::works_in_pause(double tick_s) {
-    if (!clock_.paused() || clock_.runs_back() || !hand_.stroke() || sandbox_->looks_back()) return false;
+    if (!time_.clock().paused() || time_.clock().runs_back() || !hand_.stroke() || sandbox_->looks_back())
+        return false;
     if (!hand_.would_act(tick_s)) {
         hand_.arrive(1);
         return false;
     }
     if (hand_.stroke()->deed().acts == Acts::kAllTheTime) return true;
-    clock_.step_once();
+    time_.clock().step_once();
     return false;
 }
 
-// Time passes as the slide asks for, but at the chosen speed for who rewinds or holds a brush.
-void App::set_pace() {
-    double pace = 1;
-    if (display_.slow_release && open_.pace.releases(now_s_)) pace = Pace::kAtRelease;
-    if (display_.fast_creep && open_.pace.creeps()) pace = Pace::kInCreep;
-    clock_.set_pace(clock_.runs_back() || hand_.stroke() || sandbox_->scenario().flow ? 1 : pace);
-}
-
 void App::run_ticks(double elapsed_s, FrameTime& time) {
+    TickClock& clock = time_.clock();
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    set_pace();
-    const int due = clock_.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
+    time_.set_pace(now_s(), display_.slow_release, display_.fast_creep,
+                   hand_.stroke() || sandbox_->scenario().flow);
+    const int due = clock.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
     const double begun = screen_.seconds();
-    if (clock_.runs_back() && !open_.seeking) open_.seeking = sandbox_->session().state().tick - due;
-    if (open_.seeking) return seek(*open_.seeking, begun);
+    if (clock.runs_back() && !time_.target()) time_.rewind_to(sandbox_->session().state().tick - due);
+    if (time_.target()) return seek(*time_.target(), begun);
     const auto may_go_on = [&](double spent) {
         return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
     };
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
         const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
-        touched_ |= !commands.empty();
         for (const sim::Command& each : commands) tutorial_.did(each.kind);
         if (const auto done = sandbox_->tick(commands); !done) {
             hand_.drop();  // else it would be refused in every tick
             warn(done.error().sentence);
             if (done.error().status == Failure::kMachine) file_.stop(done.error());
             if (done.error().status == Failure::kBadAnswer) {
-                clock_.pause(true);
+                clock.pause(true);
                 break;
             }
         }
@@ -379,15 +318,14 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
     }
-    clock_.ticks_undone(due - time.ticks);
-    if (time.ticks > 0) hand_.arrive(static_cast<double>(time.ticks) / due);
-    if (time.ticks > 0) open_.pace.see(sandbox_->session().state(), now_s_);
-    if (time.ticks > 0) judge_slides();
-    if (open_.seen_again &&
-        (has_card() || !sandbox_->looks_back())) {  // back to the present, once it has come to rest
-        stop_seeing_again();
-        open_.seeking = sandbox_->known_until();
+    clock.ticks_undone(due - time.ticks);
+    if (time.ticks > 0) {
+        hand_.arrive(static_cast<double>(time.ticks) / due);
+        time_.pace().see(sandbox_->session().state(), now_s());
+        judge_slides();
     }
+    if (time_.sees_again() && (has_card() || !sandbox_->looks_back()))
+        time_.go_to(sandbox_->known_until());  // back to the present, once it has come to rest
     take_over_at_end();
 }
 
@@ -418,7 +356,7 @@ void App::judge_slides() {
     if (const auto lasted = open_.results.came_to_rest(*sandbox_))
         tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
                          name_of(screen_.layout(), Verb::kShare)));
-    if (const auto swept = open_.results.judge_slide(*sandbox_, open_.pace.creeps()))
+    if (const auto swept = open_.results.judge_slide(*sandbox_, time_.pace().creeps()))
         tell(fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
 }
 
@@ -428,23 +366,15 @@ void App::seek(std::int64_t tick, double begun_s) {
     const std::int64_t before = sandbox_->session().state().tick;
     const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
     if (!there) warn(there.error().sentence);
-    if (sandbox_->session().state().tick != before) {
-        ++epoch_;
-        open_.pace.forget();
-    }
+    if (sandbox_->session().state().tick != before) time_.jump();
     if (there && !*there && sandbox_->can_go_back()) return;  // continues in the next frame
-    open_.seeking.reset();
-    if (clock_.runs_back() && sandbox_->session().state().tick == 0) {
-        clock_.run_back(false);
-        clock_.pause(true);
-    }
-    if (std::exchange(open_.takes_over_there, false)) take_over();
+    if (time_.arrive(sandbox_->session().state().tick)) take_over();
 }
 
 // Hands a watched recording over to the user at its end.
 void App::take_over_at_end() {
     if (!sandbox_->watched_to_end()) return;
-    clock_.set_speed(1);  // the user may have watched at a higher speed
+    time_.clock().set_speed(1);  // the user may have watched at a higher speed
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
     take_over();
@@ -469,7 +399,7 @@ void App::take_over_at_end() {
 
 // A ring around what the tool reaches, or the outline of what it is about to place.
 void App::show_hand(render::Marks& marks) const {
-    const glm::dvec2 at(*ground_);
+    const glm::dvec2 at(*lookout_.ground());
     const Brush& brush = hand_.brush();
     const Deed& deed = hand_.deed(input_.modifiers());
     const double width = number_of(brush, &sim::Command::width),
@@ -518,19 +448,20 @@ render::Marks App::marks() const {
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (tutorial_.shows_opening()) return marks;
     const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
-    if (ground_ && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow) show_hand(marks);
+    if (lookout_.ground() && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow)
+        show_hand(marks);
     return marks;
 }
 
 WorldImage::Subject App::subject() const {
-    return {*sandbox_, surroundings(), around_.woods, ghost_.inside()};
+    return {*sandbox_, lookout_.surroundings(), lookout_.woods(), ghost_.inside()};
 }
 
 void App::draw_world(const FrameTime& time) {
     see_ghost();
     image_.draw(
-        {epoch_, sandbox_->session().changed_at(), camera_->camera(), display_, marks(), screen_.size()},
-        subject(), {now_s_, time, times_});
+        {time_.epoch(), sandbox_->session().changed_at(), camera(), display_, marks(), screen_.size()},
+        subject(), {now_s(), time, times()});
     display_.tier = image_.tier();
 }
 
@@ -540,13 +471,12 @@ void App::take_screenshot() {
     display_.tier = image_.tier();
     if (!picture) return;
     file_.keep();
-    Shot shot{sandbox_->scenario(), file_.path().value_or(""), sandbox_->session().state().tick,
-              camera_->camera()};
+    Shot shot{sandbox_->scenario(), file_.path().value_or(""), sandbox_->session().state().tick, camera()};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =
         screenshots_.write(std::move(*picture), dated_name(shot.scenario.scene), texts_of(shot));
     if (!begun) warn(fmt::format("No screenshot: {}", begun.error().sentence));
-    now_s_ = screen_.seconds();  // this time must not be simulated
+    skip_wait();
 }
 
 // Follows the surface once per second of the world.
@@ -555,23 +485,11 @@ void App::trace_goal() {
     if (!goal || ui_.hides_panels()) return;
     const ScreenSize size = screen_.size();
     const sim::View world = sandbox_->session().view();
-    constexpr double kHidden = 0.02;  // of the distance; ground that is met earlier hides a place
-    const auto seen = [&](glm::dvec2 place) -> std::optional<glm::dvec2> {
-        const glm::dvec3 at(place, surface_height(world, place));
-        const auto on = on_screen(at);
-        if (!on) return std::nullopt;
-        const glm::dvec3 eye = render::eye(camera_->camera());
-        const render::Ray ray{eye, glm::normalize(at - eye)};
-        const auto met = render::pick(world, ray);
-        const double away = glm::distance(eye, at);
-        if (met && glm::distance(eye, *met) < away * (1 - kHidden)) return std::nullopt;
-        return on;
-    };
     open_.goal_lines.trace(
         *goal, world.grid,
-        {camera_->camera(), size.width, size.height,
-         static_cast<std::int64_t>(sandbox_->session().seconds())},
-        {sandbox_->session().state().tick, static_cast<double>(sandbox_->scenario().params.tick_s)}, seen,
+        {camera(), size.width, size.height, static_cast<std::int64_t>(sandbox_->session().seconds())},
+        {sandbox_->session().state().tick, static_cast<double>(sandbox_->scenario().params.tick_s)},
+        [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, world); },
         [&](const Quantity& quantity) {
             return amount_in_area(sandbox_->scenario(), sandbox_->session(), quantity);
         });
@@ -581,23 +499,24 @@ void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
     std::optional<Reading> reading;
-    if (ground_) reading = open_.probe->read(session.view(), glm::dvec2(*ground_));
+    if (const auto& ground = lookout_.ground())
+        reading = open_.probe->read(session.view(), glm::dvec2(*ground));
     const ui::Timeline timeline{.known_until = sandbox_->known_until(),
                                 .watches = sandbox_->watches(),
                                 .can_go_back = sandbox_->can_go_back()};
     std::optional<glm::dvec2> place_to_click;
     const auto& guide = tutorial_.guide();
     if (guide && guide->shows_place())
-        place_to_click = on_screen({kPlaceToClick, surface_height(session.view(), kPlaceToClick)});
+        place_to_click = lookout_.on_screen({kPlaceToClick, surface_height(session.view(), kPlaceToClick)});
     ui_.build(
         {
             .scenario = sandbox_->scenario(),
             .state = session.state(),
-            .clock = clock_,
+            .clock = time_.clock(),
             .brush = hand_.brush(),
             .deed = hand_.deed(input_.modifiers()),
             .brushing = hand_.stroke().has_value(),
-            .touched = touched_,
+            .touched = hand_.has_acted(),
             .stroke = stroke_note(),
             .goal_use = sandbox_->scenario().goal ? std::optional(sandbox_->goal_use()) : std::nullopt,
             .goal_lines = open_.goal_lines.lines(),
@@ -609,23 +528,23 @@ void App::draw_panels() {
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
             .under_cursor = reading,
-            .camera_mode = camera_->mode(),
+            .camera_mode = lookout_.control().mode(),
             .display = display_,
-            .times = times_,
+            .times = times(),
             .notices = notices_,
             .catalogue = catalogue_,
             .keyboard = screen_.layout(),
             .timeline = timeline,
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
-            .now_s = now_s_,
+            .now_s = now_s(),
             .image = image_.size(),
             .sharing = sharing_.progress(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,
             .slide_ended = open_.results.may_share(),
             .guide = guide ? &*guide : nullptr,
-            .opening_s = tutorial_.opening_s(now_s_),
+            .opening_s = tutorial_.opening_s(now_s()),
             .place_to_click = place_to_click,
         },
         actions_);

@@ -18,23 +18,20 @@
 #include "game/app/world_image.h"
 #include "game/base/outcome.h"
 #include "game/controls/action.h"
-#include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
-#include "game/controls/frame_times.h"
+#include "game/controls/frame_clock.h"
 #include "game/controls/hand.h"
 #include "game/controls/input.h"
+#include "game/controls/lookout.h"
 #include "game/controls/notices.h"
-#include "game/controls/pace.h"
 #include "game/controls/probe.h"
 #include "game/controls/screen.h"
 #include "game/controls/slide_front.h"
-#include "game/controls/tick_clock.h"
-#include "game/scene/mountains.h"
+#include "game/controls/time_control.h"
 #include "game/session/sandbox.h"
 #include "game/ui/ui.h"
 #include "render/frame/marks.h"
-#include "render/mountain/pick.h"
 
 namespace game {
 
@@ -62,17 +59,17 @@ class App {
     Outcome<void> finish();
 
     const Sandbox& sandbox() const { return *sandbox_; }
-    const FrameTimes& times() const { return times_; }
+    const FrameTimes& times() const { return frames_.times(); }
     const WorldImage& image() const { return image_; }
     const Notices& notices() const { return notices_; }
-    const TickClock& clock() const { return clock_; }
+    const TickClock& clock() const { return time_.clock(); }
     const Brush& brush() const { return hand_.brush(); }
     const std::optional<Guide>& guide() const { return tutorial_.guide(); }
     const Display& display() const { return display_; }
     const Catalogue& catalogue() const { return catalogue_; }
     // Of the challenge that is open, the best first.
     const std::vector<BestRun>& best_runs() const { return best_list_.runs(); }
-    const render::Camera& camera() const { return camera_->camera(); }
+    const render::Camera& camera() const { return lookout_.camera(); }
     const ui::Ui& panels() const { return ui_; }
     const Ghost& ghost() const { return ghost_; }
     bool is_making_challenge() const { return maker_.is_busy(); }
@@ -115,7 +112,6 @@ class App {
     void perform(const Open& open);
     void perform(const LookAt& wish);
     void perform(const SeeFromFront& wish);
-    void stop_seeing_again();
     void perform(const GuideWish& wish);
     void perform(const SaveWorld&);
     void perform(const MakeChallenge&);
@@ -130,7 +126,6 @@ class App {
     void share();
     void tell_results();
     void tell_made();
-    void set_pace();
     void judge_attempt();
     void keep_run(const Score& score);
     void judge_slides();
@@ -144,21 +139,16 @@ class App {
     void tell_of_bare_ground(glm::dvec2 at);
     std::optional<ui::StrokeNote> stroke_note() const;
     bool on_slope_of_brush(glm::dvec2 at) const;
-    std::optional<glm::dvec2> on_screen(
-        glm::dvec3 place) const;                    // px from the top left; nothing behind the camera
-    double earth_used() const;                      // m³
-    render::Ray ray_under(glm::dvec2 point) const;  // `point` in image coordinates
-    // m along the ray to the mountains around the grid.
-    std::optional<double> mountain_along(render::Ray ray) const;
-    std::optional<glm::dvec3> ground_under(glm::dvec2 point) const;
+    double earth_used() const;  // m³
     void take_over_at_end();
     void take_over();
     bool may_go_back();  // false: shows a notice with the reason
     void step_back();
     void run_back();
     void tell_hands_off();
-    const render::Surroundings& surroundings() const;  // as displayed
 
+    // Another world, whose time is neither paused nor at another speed.
+    Outcome<void> begin_afresh(LoadedWorld loaded);
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
     // previous world. `around`: mountains and woods of `loaded`, if they are known. Errors: `record` cannot be written, and
     // then nothing has changed.
@@ -169,18 +159,16 @@ class App {
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
     Outcome<void> close_recording();
 
-    void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s_); }
-    void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s_); }
+    double now_s() const { return frames_.now_s(); }
+    void skip_wait() { frames_.skip_to(screen_.seconds()); }  // it must not be simulated
+    void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s()); }
+    void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s()); }
 
     // What belongs to the open world alone, made anew with the next one.
     struct OpenWorld {
         std::optional<Probe> probe;
-        Pace pace;
         SlideFront front;
-        double earth_before = 0;              // m³ in use when the stroke began
-        std::optional<std::int64_t> seeking;  // target tick of a seek
-        bool takes_over_there = false;
-        bool seen_again = false;  // what the card tells is being played once more
+        double earth_before = 0;  // m³ in use when the stroke began
         Results results;
         GoalLines goal_lines;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
@@ -198,22 +186,14 @@ class App {
     std::optional<Sandbox> sandbox_;
     OpenWorld open_;
     SessionFile file_;
-    std::int64_t epoch_ = 0;  // grows when the world restarts or goes back in time
 
-    TickClock clock_;
+    FrameClock frames_;
+    TimeControl time_;
     Input input_;
     Actions actions_;
     Hand hand_;
-    bool touched_ = false;  // the user has changed the world
-
-    Around around_;  // mountains around the world, and woods on them
-    std::optional<CameraControl> camera_;
-    std::optional<glm::dvec3> drag_pivot_;
-    std::optional<glm::dvec3> ground_;  // under the cursor
     Display display_;
-    FrameTimes times_;
-    std::optional<FrameTime> last_;  // the last frame, which is not in times_ yet
-    double now_s_ = 0;
+    Lookout lookout_;
     bool leaving_ = false;
 
     BestList best_list_;
@@ -221,8 +201,7 @@ class App {
 
     Tutorial tutorial_;
 
-    bool screenshot_asked_ = false;
-    Screenshots screenshots_;  // being written
+    Screenshots screenshots_;
     Sharing sharing_;
     ChallengeMaker maker_;
 };

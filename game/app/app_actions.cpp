@@ -24,8 +24,6 @@
 namespace game {
 namespace {
 
-constexpr double kSeenAgainSpeed = 2;  // ×, of a slide that is seen from its front
-
 // What a software renderer may take for the buffers of an image, beside the world, bytes.
 std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
     const Scenario& scenario = loaded.scene.scenario;
@@ -45,16 +43,16 @@ void App::perform(Verb verb) {
     if (ui_.perform(verb)) return;
     switch (verb) {
         case Verb::kPauseOrGoOn:
-            return pause(!clock_.paused());
+            return pause(!time_.clock().paused());
         case Verb::kStepOnce:
             pause(true);
-            return clock_.step_once();
+            return time_.clock().step_once();
         case Verb::kSlower:
-            return clock_.set_speed(clock_.speed() / 2);
+            return time_.clock().set_speed(time_.clock().speed() / 2);
         case Verb::kFaster:
-            return clock_.set_speed(clock_.speed() * 2);
+            return time_.clock().set_speed(time_.clock().speed() * 2);
         case Verb::kUsualSpeed:
-            return clock_.set_speed(1);
+            return time_.clock().set_speed(1);
         case Verb::kStepBack:
             return step_back();
         case Verb::kRunBack:
@@ -78,22 +76,21 @@ void App::perform(Verb verb) {
         case Verb::kPourStandingOrRolling:
             return hand_.pour_otherwise();
         case Verb::kOverview:
-            camera_->set_home(home());
-            return camera_->overview();
+            lookout_.control().set_home(home());
+            return lookout_.control().overview();
         case Verb::kTopDown:
-            camera_->top_down(camera_->mode() != CameraMode::kTopDown);
+            lookout_.control().top_down(lookout_.control().mode() != CameraMode::kTopDown);
             return tell_camera_mode();
         case Verb::kFly:
-            camera_->fly(camera_->mode() != CameraMode::kFly);
+            lookout_.control().fly(lookout_.control().mode() != CameraMode::kFly);
             return tell_camera_mode();
         case Verb::kChase:
-            camera_->chase(camera_->mode() != CameraMode::kChase);
+            lookout_.control().chase(lookout_.control().mode() != CameraMode::kChase);
             return tell_camera_mode();
         case Verb::kShare:
             return share();
         case Verb::kScreenshot:
-            screenshot_asked_ = true;
-            return;
+            return screenshots_.ask();
         case Verb::kFullscreen:
             return screen_.set_fullscreen(!screen_.fullscreen());
         case Verb::kQuit:
@@ -106,12 +103,12 @@ void App::perform(Verb verb) {
 
 // A stroke that is held while time is paused ends there, because it would let time run on.
 void App::pause(bool on) {
-    clock_.pause(on);
+    time_.clock().pause(on);
     if (on) hand_.release();
 }
 
 void App::perform(const SetSpeed& set) {
-    clock_.set_speed(set.speed);
+    time_.clock().set_speed(set.speed);
 }
 void App::perform(Tool tool) {
     const auto& goal = sandbox_->scenario().goal;
@@ -133,25 +130,17 @@ void App::perform(const Open& open) {
 
 void App::perform(const LookAt& wish) {
     const sim::View world = sandbox_->session().view();
-    render::Camera there = camera_->camera();
+    render::Camera there = camera();
     there.target = {wish.place, surface_height(world, wish.place)};
-    camera_->go_to(there);
+    lookout_.control().go_to(there);
 }
 
 // It ends when the slide has come to rest again (run_ticks), or when the user goes elsewhere in time.
 void App::perform(const SeeFromFront&) {
     const ui::ResultCard* const card = open_.results.card(*sandbox_);
     if (!card || !may_go_back()) return;
-    camera_->go_to(view_from_front(sandbox_->session().view(), card->top, card->toe));
-    clock_.set_speed(kSeenAgainSpeed);
-    clock_.pause(false);
-    clock_.run_back(false);
-    open_.seeking = open_.results.began();
-    open_.seen_again = true;
-}
-
-void App::stop_seeing_again() {
-    if (std::exchange(open_.seen_again, false)) clock_.set_speed(1);
+    lookout_.control().go_to(view_from_front(sandbox_->session().view(), card->top, card->toe));
+    time_.see_again(open_.results.began());
 }
 
 void App::perform(const GuideWish& wish) {
@@ -168,13 +157,13 @@ void App::perform(const SaveWorld&) {
     if (sandbox_->looks_back()) return tell_hands_off();
     const sim::State& state = sandbox_->session().state();
     const auto saved = scenario_of_now(sandbox_->scenario(), state).and_then([&](Scenario&& now) {
-        now.camera = camera_->camera();
+        now.camera = camera();
         now.camera->azimuth_deg =
             std::remainder(now.camera->azimuth_deg, 360.0);  // it may have turned on and on
         now.light = display_.light;
         return keep_own(OwnKind::kWorld, now.title, recording_of(now));
     });
-    now_s_ = screen_.seconds();  // this time must not be simulated
+    skip_wait();
     if (!saved) return warn(fmt::format("This world is not saved: {}", saved.error().sentence));
     list_own();
     tell(fmt::format("Saved as {}{}", saved->string(), not_kept(state)));
@@ -212,12 +201,12 @@ void App::perform(const CoverGround& wish) {
     covered.told = fmt::format("The ground is covered with {:.1f} m, but for what is steeper than {:.0f}°",
                                wish.depth, kBareSlope);
     const Brush brush = hand_.brush();
-    const CameraControl camera = *camera_;
+    const CameraControl camera = lookout_.control();
     if (const auto begun = begin_world(std::move(covered), std::nullopt); !begun)
         return warn(begun.error().sentence);
     // It is the same hill to who plays.
     hand_.set(brush);
-    camera_ = camera;
+    lookout_.control() = camera;
 }
 
 void App::perform(const TryChallenge&) {
@@ -229,9 +218,7 @@ void App::perform(const TryChallenge&) {
     own.name.clear();
     own.scene.commands = own.scene.scenario.goal->events;
     own.told = "Your turn";
-    if (const auto begun = begin_world(std::move(own), std::nullopt); !begun)
-        return warn(begun.error().sentence);
-    clock_ = {};
+    if (const auto begun = begin_afresh(std::move(own)); !begun) warn(begun.error().sentence);
 }
 
 void App::perform(const SetNumber& set) {
@@ -241,7 +228,7 @@ void App::perform(const SetNumber& set) {
     if (const auto fault = hand_.set_number(sandbox_->session().state().params, set.param, value))
         return warn(fmt::format("Parameter not set: {}", *fault));
     sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
-    if (clock_.paused()) tell("Paused: the parameter changes on the next tick");
+    if (time_.clock().paused()) tell("Paused: the parameter changes on the next tick");
 }
 
 // The pose of the scene, or one that shows the whole terrain, such that its image would fit into the rows of the window
@@ -268,14 +255,14 @@ render::Camera App::home() const {
 // Shows a notice, because neither mode is visible in the image.
 void App::tell_camera_mode() {
     const KeyboardLayout& keys = screen_.layout();
-    if (camera_->mode() == CameraMode::kTopDown)
+    if (lookout_.control().mode() == CameraMode::kTopDown)
         tell(fmt::format("Top view, north up. Drag with the middle button to pan; press {} to return",
                          name_of(keys, Verb::kTopDown)));
-    if (camera_->mode() == CameraMode::kChase)
+    if (lookout_.control().mode() == CameraMode::kChase)
         tell(fmt::format("The camera follows the front of {}. Press {} to stop",
                          sim::at_rest(sandbox_->session().state()) ? "the next slide" : "the slide",
                          name_of(keys, Verb::kChase)));
-    if (camera_->mode() == CameraMode::kFly)
+    if (lookout_.control().mode() == CameraMode::kFly)
         tell(fmt::format("Fly mode. Move with {} or arrows, look with the right button; press {} to return",
                          names_of_walking(keys), name_of(keys, Verb::kFly)));
 }
@@ -285,7 +272,7 @@ void App::undo() {
     // Parameters waiting for the next tick have no effect yet: discard them and nothing else.
     if (hand_.drop_numbers()) return tell("Undone: parameters set for the next tick");
     const auto undone = sandbox_->undo();
-    ++epoch_;
+    time_.jump();
     if (!undone && undone.error().status == Failure::kMachine) {
         file_.stop(undone.error());
         return warn(fmt::format("Undone, but recording has stopped: {}", undone.error().sentence));
@@ -297,23 +284,23 @@ void App::undo() {
 void App::redo() {
     stop_hand();
     const auto redone = sandbox_->redo();
-    ++epoch_;
+    time_.jump();
     if (!redone && redone.error().status == Failure::kMachine) {
         file_.stop(redone.error());
         return warn(fmt::format("Redone, but recording has stopped: {}", redone.error().sentence));
     }
     if (!redone) return tell(redone.error().sentence);
     // What follows the action is known, so the world only has to get there.
-    open_.seeking = sandbox_->known_until();
+    const std::int64_t end = sandbox_->known_until();
+    time_.go_to(end);
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(*open_.seeking) * tick_s));
+    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(end) * tick_s));
 }
 
 // Ends what the user is doing to the world or to time.
 void App::stop_hand() {
     hand_.drop();
-    open_.seeking.reset();
-    clock_.run_back(false);
+    time_.run_on();
 }
 
 bool App::may_go_back() {
@@ -322,28 +309,20 @@ bool App::may_go_back() {
 }
 
 void App::perform(const SeekTick& seek) {
-    if (!may_go_back()) return;
-    stop_seeing_again();
-    clock_.run_back(false);
-    open_.seeking = seek.tick;
+    if (may_go_back()) time_.go_to(seek.tick);
 }
 
 void App::step_back() {
-    clock_.pause(true);
+    time_.clock().pause(true);
     perform(SeekTick{sandbox_->session().state().tick - 1});
 }
 
 void App::run_back() {
-    if (!may_go_back()) return;
-    stop_seeing_again();
-    clock_.run_back(!clock_.runs_back());
-    clock_.pause(false);
-    open_.seeking.reset();
+    if (may_go_back()) time_.turn_round();
 }
 
 void App::take_over_at(std::int64_t tick) {
-    open_.seeking = tick;
-    open_.takes_over_there = true;
+    time_.take_over_at(tick);
 }
 
 void App::take_over() {
@@ -352,9 +331,8 @@ void App::take_over() {
     const auto& wanted = file_.wanted();
     const auto path = wanted && sandbox_->watches() ? Outcome<std::filesystem::path>(*wanted)
                                                     : next_recording(sandbox_->scenario().scene);
-    clock_.run_back(false);
-    open_.seeking.reset();
-    ++epoch_;
+    time_.run_on();
+    time_.begin_epoch();
     const double seconds = sandbox_->session().seconds();
     auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
     if (!path) taken = tl::unexpected(path.error());
@@ -398,7 +376,7 @@ void App::share() {
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
         return warn(fmt::format("This slide cannot be shared: {}", fits.error()));
     const auto begun = sandbox_->recorded_so_far().and_then([&](std::string&& recorded) {
-        return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera_->camera()});
+        return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera()});
     });
     open_.results.set_may_share(false);
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
@@ -429,12 +407,14 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     within.memory.use.sessions = 2;  // the old world exists until the new one is loaded
     auto loaded = open_anything(name_or_path, within);
     if (!loaded) return warn(loaded.error().sentence);
-    // Neither paused nor at another speed, because another world begins.
-    const TickClock before = std::exchange(clock_, {});
-    if (const auto begun = begin_world(std::move(*loaded), std::nullopt); !begun) {
-        clock_ = before;
-        warn(begun.error().sentence);
-    }
+    if (const auto begun = begin_afresh(std::move(*loaded)); !begun) warn(begun.error().sentence);
+}
+
+Outcome<void> App::begin_afresh(LoadedWorld loaded) {
+    const TickClock before = std::exchange(time_.clock(), {});
+    auto begun = begin_world(std::move(loaded), std::nullopt);
+    if (!begun) time_.clock() = before;
+    return begun;
 }
 
 Outcome<void> App::close_recording() {
@@ -475,7 +455,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     file_.want(std::move(record));
     file_.begin(std::move(recording));
     list_own();
-    ++epoch_;
+    time_.begin_world();
 
     const Scenario& scenario = sandbox_->scenario();
     best_list_.open(scenario);
@@ -484,16 +464,14 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     ghost_.follow(scenario, best_list_.runs(), with_ghost);
     hand_.drop();
     hand_.drop_numbers();
-    if (!same) touched_ = false;  // after a restart of the same scene the hint is not needed
-    clock_.run_back(false);
     if (!same) {
-        around_ = around ? std::move(*around) : around_of(scenario);
+        lookout_.surround(around ? std::move(*around) : around_of(scenario));
         display_.surroundings = !scenario.model;
         hand_.suit(scenario.grid);
     }
     if (!same_scene) {
         display_.light = scenario.light;
-        camera_.emplace(home(), sandbox_->session().view(), surroundings());
+        lookout_.enter(home(), sandbox_->session().view());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;
     open_.probe.emplace(scenario.georeference, densities_of(scenario),
@@ -501,12 +479,12 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     screen_.show_title(fmt::format("Couloir: {}", scenario.title));
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
-    if (const std::string notice = woods_notice(scenario, around_.woods); !notice.empty()) tell(notice);
+    if (const std::string notice = woods_notice(scenario, lookout_.woods()); !notice.empty()) tell(notice);
     // Who plays against the clock may look first, unless the scene begins itself.
     const bool waits =
         scenario.goal && !scenario.goal->events.empty() && scenario.goal->events.front().tick > 0;
-    if (waits && !sandbox_->watches()) clock_.pause(true);
-    now_s_ = screen_.seconds();  // loading time must not be simulated
+    if (waits && !sandbox_->watches()) time_.clock().pause(true);
+    skip_wait();
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include <future>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "game/base/outcome.h"
@@ -30,6 +31,9 @@ class Screenshots {
   public:
     static constexpr std::size_t kMostAtOnce = 4;
 
+    // The user wants one; asked() says so once.
+    void ask() { asked_ = true; }
+    bool asked() { return std::exchange(asked_, false); }
     // Starts writing to a new file NAME.png in screenshots_folder(). Waits while kMostAtOnce are being written.
     // Errors: the system cannot start a thread.
     Outcome<void> write(render::Picture picture, std::string name, render::PngTexts texts);
@@ -39,6 +43,7 @@ class Screenshots {
     std::optional<Outcome<std::filesystem::path>> result();
 
   private:
+    bool asked_ = false;
     std::vector<std::future<Outcome<std::filesystem::path>>>
         jobs_;  // in order; each is waited for at the end
 };

@@ -14,6 +14,7 @@ void Hand::suit(const sim::Grid& grid) {
     const auto dx = static_cast<double>(grid.dx);
     const RadiusRange range = radius_range(grid);
     brush_ = {};
+    has_acted_ = false;
     brush_.radius =
         std::clamp(std::max(0.02 * dx * (std::max(grid.nx, grid.ny) - 1), 2.5 * dx), range.least, range.most);
 }
@@ -80,6 +81,7 @@ std::span<const sim::Command> Hand::commands_of(int tick, int ticks, double tick
     commands_.clear();
     if (may_act) std::swap(commands_, numbers_);
     if (stroke_) stroke_->commands_of(tick, ticks, brush_, tick_s, commands_);
+    has_acted_ |= !commands_.empty();
     return commands_;
 }
 

@@ -25,7 +25,7 @@ class Hand {
     void choose(Tool tool) { brush_.tool = tool; }
     // Brings the tool in it into the limits of a challenge.
     void fit(const Goal& goal);
-    // A radius of 1/50 of the terrain, but at least 2.5 cells so that the grid resolves it. All else as at first.
+    // For another ground: a radius of 1/50 of it, but at least 2.5 cells so that the grid resolves it. All else as at first.
     void suit(const sim::Grid& grid);
     // Each step is a factor. Radius and strength stay within their ranges.
     void resize(double steps, const sim::Grid& grid);
@@ -54,12 +54,15 @@ class Hand {
     std::span<const sim::Command> commands_of(int tick, int ticks, double tick_s, bool may_act);
     // Whether the stroke has commands for a tick now. Parameters wait.
     bool would_act(double tick_s);
+    // Whether it has had commands on this ground.
+    bool has_acted() const { return has_acted_; }
     // Ends the ticks of a frame, of which `share` was done.
     void arrive(double share);
 
   private:
     Brush brush_;
     std::optional<Stroke> stroke_;
+    bool has_acted_ = false;
     std::vector<sim::Command> numbers_;   // set for the next tick
     std::vector<sim::Command> commands_;  // of one tick; kept to reuse its memory
 };

@@ -1315,7 +1315,15 @@ TEST_F(PlayingAChallenge, waits_for_its_player_if_its_scene_is_going_to_act_and_
     frames(70);
     EXPECT_FALSE(shows("in 0:01"));
     EXPECT_FALSE(sim::at_rest(state()));
+    const std::filesystem::path tried = *app_->recording();
     tap(key('R'), {.control = true});
+    frames(5);
+    EXPECT_TRUE(app_->clock().paused());
+    EXPECT_EQ(state().tick, 0);
+    screen_.drop({tried});
+    frames(5);
+    EXPECT_FALSE(app_->clock().paused()) << "it is watched";
+    click("Try it yourself");
     frames(5);
     EXPECT_TRUE(app_->clock().paused());
     EXPECT_EQ(state().tick, 0);
