@@ -1,6 +1,9 @@
 #include "render/frame.h"
 
+#include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <glm/common.hpp>
 
@@ -40,10 +43,21 @@ int samples_of(Quality quality) {
 constexpr std::span<const Rectangle> kNowhere;
 
 // Wind blows snow off ridges, as far as there is any.
-bool drifts(const FrameInput& input) {
-    return input.surroundings && !input.surroundings->empty() && input.wind.speed > 0 &&
-           is_dry_snow(input.look) && input.marks.overlay == Overlay::kNone;
+bool may_drift(const FrameInput& input) {
+    return input.surrounded() && input.wind.speed > 0 && is_dry_snow(input.look) &&
+           input.marks.overlay == Overlay::kNone;
 }
+
+// A frame on its way through the passes.
+struct Frame {
+    const FrameInput& input;
+    FieldsToGpu::Ground ground;  // what changed of it
+    FrameBlock block = {};
+    Steady steady = {};
+    bool new_world = false;
+    bool everything = false;                                 // is drawn anew
+    bool wooded = false, powdery = false, drifting = false;  // with any of that in view
+};
 
 }  // namespace
 
@@ -67,12 +81,20 @@ struct Renderer::Parts {
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
     Target target;
-    Quality quality;
+    Quality quality = Quality::kFine;
     std::filesystem::path assets;
     StageClock clock;
     Redrawn redrawn;
     RedrawRules rules;
     DrawnExtent extent;
+
+    // The stages of a frame, in order.
+    Frame begin(const FrameInput& input);
+    void upload(const Frame& frame);
+    void remesh(const Frame& frame);
+    void compute(const Frame& frame);
+    void find(Frame& frame);
+    void draw(const Frame& frame);
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -83,67 +105,36 @@ struct Renderer::Parts {
 
 tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path& assets, Quality quality) {
     const std::filesystem::path shaders = assets / "shaders";
-    auto surface = SurfacePass::create(shaders);
-    if (!surface) return tl::unexpected(surface.error());
-    auto terrain = TerrainPass::create(shaders);
-    if (!terrain) return tl::unexpected(terrain.error());
-    auto flow = FlowPass::create(shaders);
-    if (!flow) return tl::unexpected(flow.error());
-    auto surroundings = SurroundingsPass::create(shaders);
-    if (!surroundings) return tl::unexpected(surroundings.error());
-    auto sky = FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
-    if (!sky) return tl::unexpected(sky.error());
-    auto day_lights =
-        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
-    if (!day_lights) return tl::unexpected(day_lights.error());
-    auto night_lights =
-        FullscreenPass::create(shaders, {"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
-    if (!night_lights) return tl::unexpected(night_lights.error());
-    auto structures = StructuresPass::create(shaders);
-    if (!structures) return tl::unexpected(structures.error());
-    auto trees = TreesPass::create(shaders);
-    if (!trees) return tl::unexpected(trees.error());
-    auto spindrift = SpindriftPass::create(shaders);
-    if (!spindrift) return tl::unexpected(spindrift.error());
-    auto powder = PowderPass::create(shaders);
-    if (!powder) return tl::unexpected(powder.error());
-    auto tone = FullscreenPass::create(shaders, {"slots.glsl", "tone_curve.glsl", "tone.frag"});
-    if (!tone) return tl::unexpected(tone.error());
-    auto edge_marks = FullscreenPass::create(shaders, {"slots.glsl", "edges_mark.frag"});
-    if (!edge_marks) return tl::unexpected(edge_marks.error());
-    auto edges = FullscreenPass::create(shaders, {"slots.glsl", "edges.frag"});
-    if (!edges) return tl::unexpected(edges.error());
+    std::string error;  // the first
+    const auto ready = [&error]<class Pass>(tl::expected<Pass, std::string> pass) {
+        if (!pass && error.empty()) error = pass.error();
+        return pass ? std::move(*pass) : Pass();
+    };
+    const auto fullscreen = [&](const std::vector<std::string_view>& files) {
+        return ready(FullscreenPass::create(shaders, files));
+    };
+    auto parts = std::make_unique<Parts>();
+    parts->surface = ready(SurfacePass::create(shaders));
+    parts->terrain = ready(TerrainPass::create(shaders));
+    parts->flow = ready(FlowPass::create(shaders));
+    parts->surroundings = ready(SurroundingsPass::create(shaders));
+    parts->sky = fullscreen({"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
+    parts->day_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
+    parts->night_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
+    parts->structures = ready(StructuresPass::create(shaders));
+    parts->trees = ready(TreesPass::create(shaders));
+    parts->spindrift = ready(SpindriftPass::create(shaders));
+    parts->powder = ready(PowderPass::create(shaders));
+    parts->tone = fullscreen({"slots.glsl", "tone_curve.glsl", "tone.frag"});
+    parts->edge_marks = fullscreen({"slots.glsl", "edges_mark.frag"});
+    parts->edges = fullscreen({"slots.glsl", "edges.frag"});
+    if (!error.empty()) return tl::unexpected(error);
 
-    Buffer frame_block = make_buffer();
-    glNamedBufferStorage(frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    return Renderer(std::make_unique<Parts>(Parts{WithoutBuildings(),
-                                                  FieldsToGpu(),
-                                                  std::move(frame_block),
-                                                  std::move(*surface),
-                                                  SunSweep(),
-                                                  ShadowPass(),
-                                                  std::move(*terrain),
-                                                  SlideTiles(),
-                                                  std::move(*flow),
-                                                  FlowTriangles(),
-                                                  std::move(*surroundings),
-                                                  std::move(*sky),
-                                                  std::move(*day_lights),
-                                                  std::move(*night_lights),
-                                                  std::move(*structures),
-                                                  std::move(*trees),
-                                                  std::move(*spindrift),
-                                                  std::move(*powder),
-                                                  std::move(*tone),
-                                                  std::move(*edge_marks),
-                                                  std::move(*edges),
-                                                  Target(),
-                                                  quality,
-                                                  assets,
-                                                  StageClock(),
-                                                  Redrawn(),
-                                                  RedrawRules(),
-                                                  DrawnExtent()}));
+    parts->quality = quality;
+    parts->assets = assets;
+    parts->frame_block = make_buffer();
+    glNamedBufferStorage(parts->frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return Renderer(std::move(parts));
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -186,224 +177,225 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 // A building that is a part of the bedrock is drawn by its mesh, on the ground as it is without it.
 void Renderer::draw(const FrameInput& input) {
     const sim::Field<float>* ground = parts_->without_buildings.find(input.world);
-    if (!ground) {
-        draw_ground(input);
-        return;
-    }
-    const sim::View& w = input.world;
-    draw_ground({.world = {w.grid, *ground, w.depth, w.rolling, w.velocity_x, w.velocity_y, w.site,
-                           w.smooth_depth, w.mixture, w.things, w.tiles, w.datum, w.tick},
-                 .camera = input.camera,
-                 .light = input.light,
-                 .look = input.look,
-                 .marks = input.marks,
-                 .flow = input.flow,
-                 .width = input.width,
-                 .height = input.height,
-                 .first_depth = input.first_depth,
-                 .surroundings = input.surroundings,
-                 .powder = input.powder,
-                 .powder_strength = input.powder_strength,
-                 .woods = input.woods,
-                 .flow_so_far = input.flow_so_far,
-                 .structures = input.structures,
-                 .wind = input.wind,
-                 .seconds = input.seconds,
-                 .extent = input.extent});
+    if (!ground) return draw_ground(input);
+    FrameInput without = input;
+    std::construct_at(&without.world, sim::on_bedrock(input.world, *ground));  // a view cannot be assigned
+    draw_ground(without);
 }
 
 void Renderer::draw_ground(const FrameInput& input) {
     Parts& p = *parts_;
-    const sim::View& world = input.world;
-    const Marks& marks = input.marks;
-    const Surroundings* const around = input.surroundings;
-    const int samples = samples_of(p.quality);
-    const ScopedState state;                           // restores the state for other users of the context
-    const bool flows = input.look.flow && input.flow;  // the advected texture is visible
-    const bool has_surroundings = around && !around->empty();
-    Redrawn& redrawn = p.redrawn;
+    const ScopedState state;  // restores the state for other users of the context
     p.clock.begin();
+    Frame frame = p.begin(input);
+    p.upload(frame);
+    p.remesh(frame);
+    p.compute(frame);
+    p.find(frame);
+    p.draw(frame);
+    CHECK(glGetError() == GL_NO_ERROR);
+}
 
-    // Find out first whether more than the world changed: then all is drawn anew.
-    const FieldsToGpu::Ground ground = p.fields.upload_ground(world, input.first_depth);
-    const FrameBlock frame =
-        make_frame_block(input, p.fields.heights(), samples,
-                         flows ? std::optional(p.flow_tint(input.look, marks)) : std::nullopt);
-    const Steady steady = steady_of(input, frame);
-    const bool resized = p.target.resize(input.width, input.height, samples);
-    p.structures.build(input, frame, ground.terrain, ground.moved);
-    const bool new_world = ground.terrain || ground.first_depth || !redrawn.steady ||
-                           !same_surface(redrawn.steady->block, frame);
-    const bool has_trees = marks.overlay == Overlay::kNone;  // they would hide its values
-    const auto trees =
-        has_trees
-            ? p.trees.follow(has_surroundings ? input.woods : nullptr, has_surroundings ? around : nullptr,
-                             world, input.first_depth, frame.sun, ground.terrain || ground.first_depth)
-            : FollowedWoods::Change::kNone;
-    const bool everything = trees == FollowedWoods::Change::kAll || new_world || resized || marks.flow_mesh ||
-                            redrawn.steady != steady;
+// Finds out first whether more than the world changed: then all is drawn anew.
+Frame Renderer::Parts::begin(const FrameInput& input) {
+    const int samples = samples_of(quality);
+    Frame frame{.input = input, .ground = fields.upload_ground(input.world, input.first_depth)};
+    frame.block =
+        make_frame_block(input, fields.heights(), samples,
+                         input.flows() ? std::optional(flow_tint(input.look, input.marks)) : std::nullopt);
+    frame.steady = steady_of(input, frame.block);
+    const bool resized = target.resize(input.width, input.height, samples);
+    const bool new_ground = frame.ground.terrain || frame.ground.first_depth;
+    frame.new_world = new_ground || !redrawn.steady || !same_surface(redrawn.steady->block, frame.block);
+    structures.build(input, frame.block, frame.ground.terrain, frame.ground.moved);
+    bool new_trees = false;
+    if (input.may_have_trees()) {
+        const bool around = input.surrounded();
+        new_trees =
+            trees.follow(around ? input.woods : nullptr, around ? input.surroundings : nullptr, input.world,
+                         input.first_depth, frame.block.sun, new_ground) == FollowedWoods::Change::kAll;
+    }
+    frame.everything =
+        new_trees || frame.new_world || resized || input.marks.flow_mesh || redrawn.steady != frame.steady;
+    return frame;
+}
 
-    // Upload what changed of the world: everything below reads these textures, and only they change with the state.
+// What changed of the world: everything below reads these textures, and only they change with the state.
+void Renderer::Parts::upload(const Frame& frame) {
+    const FrameInput& input = frame.input;
     WhatChanged& changed = redrawn.world;
-    const int openness_reach = SurfacePass::openness_reach(world.grid);
-    changed.compare(world, p.fields.find_mixture(world), input.first_depth,
-                    has_surroundings ? std::nullopt : std::optional(frame.ground.y), p.rules, new_world,
-                    {ground.moved, openness_reach});
-    p.fields.upload_layers(world, changed.first_row(), changed.last_row());
-    glNamedBufferSubData(p.frame_block.name(), 0, sizeof frame, &frame);
-    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, p.frame_block.name());
-    p.fields.bind();
-    if (flows) p.flow.send(*input.flow);
-    p.clock.mark(Pass::kUpload);
+    changed.compare(input.world, fields.find_mixture(input.world), input.first_depth,
+                    input.surrounded() ? std::nullopt : std::optional(frame.block.ground.y), rules,
+                    frame.new_world, {frame.ground.moved, SurfacePass::openness_reach(input.world.grid)});
+    fields.upload_layers(input.world, changed.first_row(), changed.last_row());
+    glNamedBufferSubData(frame_block.name(), 0, sizeof frame.block, &frame.block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, frame_block.name());
+    fields.bind();
+    if (input.flows()) flow.send(*input.flow);
+    clock.mark(Pass::kUpload);
+}
 
-    // Apply what changed along the fronts since the last frame.
-    if (flows) {
-        p.flow.cut(*input.flow, world.grid);
-        p.triangles.find(world, input.first_depth, p.flow.coordinates().vertices(), input.look);
-        p.flow.find_changes(p.triangles, changed);
+// Applies what changed along the fronts since the last frame.
+void Renderer::Parts::remesh(const Frame& frame) {
+    const FrameInput& input = frame.input;
+    if (input.flows()) {
+        flow.cut(*input.flow, input.world.grid);
+        triangles.find(input.world, input.first_depth, flow.coordinates().vertices(), input.look);
+        flow.find_changes(triangles, redrawn.world);
     }
-    p.clock.mark(Pass::kRemesh);
+    clock.mark(Pass::kRemesh);
+}
 
-    // Data that depends only on the bedrock is computed here, once per terrain and around what changed of it, because
-    // it needs the fields and the frame block.
-    const glm::ivec2 last_vertex(world.grid.nx - 1, world.grid.ny - 1);
-    if (ground.terrain) {
-        p.terrain.send_mesh(ground_mesh(world.grid, world.site));
-        p.surface.resize(world.grid);
-        p.shadow.resize(world.grid);
-        p.surface.survey_terrain({0, 0}, last_vertex);
-    } else if (!ground.moved.empty()) {
-        glm::ivec2 low = ground.moved.front(), high = low;
-        for (const glm::ivec2 v : ground.moved) low = glm::min(low, v), high = glm::max(high, v);
-        p.surface.survey_terrain(glm::max(low - openness_reach, 0),
-                                 glm::min(high + openness_reach, last_vertex));
-    }
+// Data per vertex, before the passes that read it.
+void Renderer::Parts::compute(const Frame& frame) {
+    const FrameInput& input = frame.input;
+    const sim::Grid& grid = input.world.grid;
+    WhatChanged& changed = redrawn.world;
 
-    // Compute heights, slopes and shares of the layers once per vertex, before the two passes that read them.
-    p.surface.run(changed.groups());
-    p.surface.bind();
-    p.clock.mark(Pass::kSurface);
-
-    // What lies around the block casts shadows on it.
-    if (has_surroundings) {
-        p.surroundings.survey(*around, frame);
-        p.surroundings.bind();
+    // What depends only on the bedrock is computed here, once per terrain and around what changed of it, because it
+    // needs the fields and the frame block.
+    const glm::ivec2 last_vertex(grid.nx - 1, grid.ny - 1);
+    if (frame.ground.terrain) {
+        terrain.send_mesh(ground_mesh(grid, input.world.site));
+        surface.resize(grid);
+        shadow.resize(grid);
+        surface.survey_terrain({0, 0}, last_vertex);
+    } else if (!frame.ground.moved.empty()) {
+        glm::ivec2 low = frame.ground.moved.front(), high = low;
+        for (const glm::ivec2 v : frame.ground.moved) low = glm::min(low, v), high = glm::max(high, v);
+        const int reach = SurfacePass::openness_reach(grid);
+        surface.survey_terrain(glm::max(low - reach, 0), glm::min(high + reach, last_vertex));
     }
 
-    // Heaps cast shadows too.
-    p.sweep.run(world, around, frame);
-    p.shadow.upload(p.sweep);
-    p.shadow.bind();
-    changed.add_shadows(p.sweep, frame);
-    changed.add_ring(redrawn.ring, marks.ring, frame);
-    changed.add_outline(redrawn.outline, marks.outline, frame);
-    if (marks.extent != 0) changed.add_extent(p.extent.send(input.extent, world.grid));
-    p.clock.mark(Pass::kShadow);
+    // Heights, slopes and shares of the layers.
+    surface.run(changed.groups());
+    surface.bind();
+    clock.mark(Pass::kSurface);
 
-    // Find where the frame differs from the last one.
-    const OnScreen screen(frame.clip_from_world, p.target.samples_across(), p.target.samples_up());
-    ScreenTiles& tiles = redrawn.scene_tiles;
-    for (ScreenTiles* each : {&tiles, &redrawn.forgotten_tiles})
-        each->begin(p.target.samples_across(), p.target.samples_up(), p.rules.tile);
-    if (everything)
-        tiles.mark_all();
+    // What lies around the block casts shadows on it, and heaps cast shadows too.
+    if (input.surrounded()) {
+        surroundings.survey(*input.surroundings, frame.block);
+        surroundings.bind();
+    }
+    sweep.run(input.world, input.surroundings, frame.block);
+    shadow.upload(sweep);
+    shadow.bind();
+    changed.add_shadows(sweep, frame.block);
+    clock.mark(Pass::kShadow);
+}
+
+// Finds what is in view, and where the frame differs from the last one.
+void Renderer::Parts::find(Frame& frame) {
+    const FrameInput& input = frame.input;
+    WhatChanged& changed = redrawn.world;
+    changed.add_ring(redrawn.ring, input.marks.ring, frame.block);
+    changed.add_outline(redrawn.outline, input.marks.outline, frame.block);
+    if (input.marks.extent != 0) changed.add_extent(extent.send(input.extent, input.world.grid));
+
+    const int across = target.samples_across(), up = target.samples_up();
+    const OnScreen screen(frame.block.clip_from_world, across, up);
+    for (ScreenTiles* each : {&redrawn.scene_tiles, &redrawn.forgotten_tiles})
+        each->begin(across, up, rules.tile);
+    if (frame.everything)
+        redrawn.scene_tiles.mark_all();
     else
-        changed.mark(screen, tiles);
-    ScreenTiles& with_things = p.rules.things ? tiles : redrawn.forgotten_tiles;
-    const Redraw redraw{frame, changed, screen, everything, with_things};
-    p.terrain.find(redraw);
-    p.tiles.find(input, screen);
-    p.tiles.mark_changes(tiles);
-    if (has_surroundings) p.surroundings.find(redraw);
-    p.structures.find(input, redraw);
-    const bool wooded = has_trees && p.trees.any();
-    if (wooded) p.trees.find(input, redraw);
-    const bool powdery = p.powder.find(input.powder, frame, input.look, input.powder_strength,
-                                       p.target.samples_across(), p.target.samples_up());
-    const bool drifting =
-        drifts(input) && p.spindrift.find(*around, input.wind, input.seconds, frame, screen);
-    redrawn.find(input.width, input.height, samples, p.rules, powdery ? p.powder.seen() : kNowhere,
-                 drifting ? p.spindrift.seen() : kNowhere);
-    p.clock.mark(Pass::kChanges);
+        changed.mark(screen, redrawn.scene_tiles);
+    const Redraw redraw{frame.block, changed, screen, frame.everything,
+                        rules.things ? redrawn.scene_tiles : redrawn.forgotten_tiles};
+    terrain.find(redraw);
+    tiles.find(input, screen);
+    tiles.mark_changes(redrawn.scene_tiles);
+    if (input.surrounded()) surroundings.find(redraw);
+    structures.find(input, redraw);
+    frame.wooded = input.may_have_trees() && trees.any();
+    if (frame.wooded) trees.find(input, redraw);
+    frame.powdery = powder.find(input.powder, frame.block, input.look, input.powder_strength, across, up);
+    frame.drifting = may_drift(input) &&
+                     spindrift.find(*input.surroundings, input.wind, input.seconds, frame.block, screen);
+    redrawn.find(input.width, input.height, target.samples(), rules, frame.powdery ? powder.seen() : kNowhere,
+                 frame.drifting ? spindrift.seen() : kNowhere);
+    if (input.flows() && !redrawn.scene.empty()) flow.find(triangles.runs(), changed, screen);
+    clock.mark(Pass::kChanges);
+}
 
-    // Draw depth first, because shading is expensive.
-    p.target.begin_scene(redrawn.scene);
-    p.terrain.draw_depth(redrawn.scene);
-    p.clock.mark(Pass::kDepth);
+void Renderer::Parts::draw(const Frame& frame) {
+    const FrameInput& input = frame.input;
+    const Marks& marks = input.marks;
 
-    // Draw the visible colours of the flow unlit, so that terrain and flow are lit together.
-    if (flows)
-        p.flow.draw(input.look.flow->pattern, marks.overlay, p.target, redrawn.scene, p.triangles.runs(),
-                    changed, screen);
-    p.clock.mark(Pass::kFlow);
+    // Depth comes first, because shading is expensive.
+    target.begin_scene(redrawn.scene);
+    terrain.draw_depth(redrawn.scene);
+    clock.mark(Pass::kDepth);
 
-    // Shade each pixel once, whatever the number of triangles under it.
-    p.target.begin_shading();
-    if (marks.extent != 0) p.extent.bind();
-    p.terrain.shade(marks, p.tiles, world.mixture != nullptr, p.target, redrawn.scene);
-    p.clock.mark(Pass::kTerrain);
+    // The visible colours of the flow are drawn unlit, so that terrain and flow are lit together.
+    if (input.flows()) flow.draw(input.look.flow->pattern, marks.overlay, target, redrawn.scene);
+    clock.mark(Pass::kFlow);
 
-    if (flows && marks.flow_mesh) {
-        p.flow.draw_mesh(samples);
-        p.clock.mark(Pass::kFlow);
+    // Each pixel is shaded once, whatever the number of triangles under it.
+    target.begin_shading();
+    if (marks.extent != 0) extent.bind();
+    terrain.shade(marks, tiles, input.world.mixture != nullptr, target, redrawn.scene);
+    clock.mark(Pass::kTerrain);
+    if (input.flows() && marks.flow_mesh) {
+        flow.draw_mesh(target.samples());
+        clock.mark(Pass::kFlow);
     }
 
-    // Draw what stands around the surface: mountains or the walls of a block.
-    if (has_surroundings)
-        p.surroundings.draw(frame, redrawn.scene);
+    // Mountains stand around the surface, or it has walls.
+    if (input.surrounded())
+        surroundings.draw(frame.block, redrawn.scene);
     else
-        p.terrain.draw_walls(redrawn.scene);
-    p.clock.mark(Pass::kSurroundings);
+        terrain.draw_walls(redrawn.scene);
+    clock.mark(Pass::kSurroundings);
 
     // Powder is drawn into coarse pixels of its own, which must know how far the ground is behind them, not the trees
     // in front: their outlines are finer.
-    p.target.keep_ground(redrawn.scene);
-    if (powdery) p.powder.draw();
-    p.clock.mark(Pass::kPowder);
+    target.keep_ground(redrawn.scene);
+    if (frame.powdery) powder.draw();
+    clock.mark(Pass::kPowder);
 
     // The sky is drawn where nothing is. It is smooth, so that a sixteenth of its pixels are enough; sun, moon and
     // stars are not.
-    if (everything) {
-        p.target.begin_sky();
-        p.sky.draw();
+    if (frame.everything) {
+        target.begin_sky();
+        sky.draw();
     }
-    p.target.begin_backdrop();
-    (frame.above.w > 0 ? p.night_lights : p.day_lights).draw_behind(redrawn.scene);
-    p.clock.mark(Pass::kSky);
+    target.begin_backdrop();
+    (frame.block.above.w > 0 ? night_lights : day_lights).draw_behind(redrawn.scene);
+    clock.mark(Pass::kSky);
 
-    // What people have built stands before ground and sky.
-    if (p.structures.any()) p.structures.draw(redrawn.scene);
-    p.clock.mark(Pass::kStructures);
-
-    // Trees stand before ground and sky, with a jagged outline. Their shadows darken the ground that is drawn.
-    if (wooded) p.trees.draw(redrawn.scene);
-    p.clock.mark(Pass::kTrees);
+    // What people have built stands before ground and sky, and so do trees, with a jagged outline. Their shadows darken
+    // the ground that is drawn.
+    if (structures.any()) structures.draw(redrawn.scene);
+    clock.mark(Pass::kStructures);
+    if (frame.wooded) trees.draw(redrawn.scene);
+    clock.mark(Pass::kTrees);
 
     // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.
-    if (powdery || drifting) p.target.begin_air(redrawn.air);
-    if (drifting) p.spindrift.draw();
-    if (powdery) p.powder.lay_over();
-    p.clock.mark(Pass::kPowder);
+    const bool in_air = frame.powdery || frame.drifting;
+    if (in_air) target.begin_air(redrawn.air);
+    if (frame.drifting) spindrift.draw();
+    if (frame.powdery) powder.lay_over();
+    clock.mark(Pass::kPowder);
 
-    // Tone mapping is last, because light adds up only while it is linear.
-    p.target.begin_picture(redrawn.shown, powdery || drifting);
-    p.tone.draw_encoded(redrawn.shown);
-    p.clock.mark(Pass::kTone);
+    // Tones are mapped last, because light adds up only while it is linear.
+    target.begin_picture(redrawn.shown, in_air);
+    tone.draw_encoded(redrawn.shown);
+    clock.mark(Pass::kTone);
 
-    // With one sample per pixel edges have stairs. Smooth them last of all, in the colours that the screen
-    // shows, because what looks like an edge is decided there.
-    if (samples == 1) {
-        p.target.begin_edges(redrawn.smoothed);
-        p.edge_marks.draw_marks(redrawn.smoothed);
-        p.edges.draw_on_marks(redrawn.smoothed);
+    // With one sample per pixel edges have stairs. They are smoothed last of all, in the colours that the screen shows,
+    // because what looks like an edge is decided there.
+    if (target.samples() == 1) {
+        target.begin_edges(redrawn.smoothed);
+        edge_marks.draw_marks(redrawn.smoothed);
+        edges.draw_on_marks(redrawn.smoothed);
     }
-    p.clock.mark(Pass::kEdges);
+    clock.mark(Pass::kEdges);
 
-    changed.finish();
-    redrawn.steady = steady;
+    redrawn.world.finish();
+    redrawn.steady = frame.steady;
     redrawn.ring = marks.ring;
     redrawn.outline = marks.outline;
-    CHECK(glGetError() == GL_NO_ERROR);
 }
 
 Picture Renderer::read_back() const {

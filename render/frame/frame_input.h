@@ -49,6 +49,11 @@ struct FrameInput {
     // A part of the ground whose outline marks.extent draws: 255 inside and 0 outside, one value per vertex, row 0 the
     // south; valid during the call. Not empty if marks.extent is not 0.
     std::span<const std::uint8_t> extent = {};
+
+    // Which parts it has.
+    bool flows() const { return look.flow && flow; }
+    bool surrounded() const { return surroundings && !surroundings->empty(); }
+    bool may_have_trees() const { return marks.overlay == Overlay::kNone; }  // they would hide its values
 };
 
 }  // namespace render

@@ -15,12 +15,11 @@ Steady steady_of(const FrameInput& input, const FrameBlock& block) {
     Steady steady{block};
     steady.block.ring = steady.block.ring_colour = glm::vec4(0);
     steady.block.outline = steady.block.outline_colour = glm::vec4(0);
-    steady.flows = input.look.flow && input.flow;
+    steady.flows = input.flows();
     steady.lines = input.marks.has_lines();
     steady.mesh = input.marks.flow_mesh;
     if (steady.flows) steady.pattern = input.look.flow->pattern;
-    if (input.surroundings && !input.surroundings->empty())
-        steady.surroundings = input.surroundings->fingerprint();
+    if (input.surrounded()) steady.surroundings = input.surroundings->fingerprint();
     return steady;
 }
 

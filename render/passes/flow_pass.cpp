@@ -22,7 +22,8 @@ constexpr float kOffsetBySlope = 1, kOffset = 64;
 tl::expected<FlowPass, std::string> FlowPass::create(const std::filesystem::path& shaders) {
     auto remesher = Remesher::create(shaders);
     if (!remesher) return tl::unexpected(remesher.error());
-    FlowPass pass(std::move(*remesher));
+    FlowPass pass;
+    pass.remesher_ = std::move(*remesher);
 
     const auto on_surface = [](std::string_view file) {
         return ShaderStage{GL_VERTEX_SHADER,
@@ -75,8 +76,8 @@ void FlowPass::find_changes(const FlowTriangles& triangles, WhatChanged& changed
 }
 
 // Cuts runs into pieces short enough to be drawn only where they appear.
-void FlowPass::find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed,
-                           const OnScreen& screen) {
+void FlowPass::find(std::span<const TriangleRun> triangles, const WhatChanged& changed,
+                    const OnScreen& screen) {
     constexpr int kMostTriangles = 16;
     const int along = 2 * (grid_->nx - 1);  // triangles of a row
     const float dx = grid_->dx;
@@ -106,9 +107,7 @@ void FlowPass::resize(const Target& target) {
     glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
 }
 
-void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
-                    std::span<const TriangleRun> triangles, const WhatChanged& changed,
-                    const OnScreen& screen) {
+void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts) {
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
@@ -130,7 +129,6 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
     glDepthMask(GL_FALSE);
     remesher_.bind();
     coordinates_.bind();
-    if (!parts.empty()) find_pieces(triangles, changed, screen);
     Rectangle around;
     for (const Rectangle& part : parts) {
         around = around_both(around, part);

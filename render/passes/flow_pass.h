@@ -41,11 +41,11 @@ class FlowPass {
     const FlowToGpu& coordinates() const { return coordinates_; }
     // Adds to `changed` where the flow looks different, of squares in which `triangles` are or were.
     void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
-    // Draws these triangles of the mesh, which are all that may show the flow, in parts of `target`. Reads SLOT_RELIEF,
-    // SLOT_ROLLING, SLOT_LAYERS and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves
+    // Finds where these triangles of the mesh appear, which are all that may show the flow.
+    void find(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
+    // Draws those that were found last in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves
     // another framebuffer bound.
-    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts,
-              std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
+    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
@@ -54,8 +54,6 @@ class FlowPass {
         return textures_[static_cast<std::size_t>(pattern)];
     }
     void resize(const Target& target);
-    void find_pieces(std::span<const TriangleRun> triangles, const WhatChanged& changed,
-                     const OnScreen& screen);
 
     // Some triangles of a row of squares, and where they appear.
     struct Piece {
@@ -79,8 +77,6 @@ class FlowPass {
     Texture albedo_, relief_;
     Framebuffer framebuffer_;
     VertexArray no_vertices_;
-
-    explicit FlowPass(Remesher remesher) : remesher_(std::move(remesher)) {}
 };
 
 }  // namespace render

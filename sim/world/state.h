@@ -73,6 +73,12 @@ struct View {
     std::int64_t tick;  // ticks done
 };
 
+// The same world on another bedrock, which outlives the view.
+inline View on_bedrock(const View& v, const Field<float>& bedrock) {
+    return {v.grid,         bedrock,   v.depth,  v.rolling, v.velocity_x, v.velocity_y, v.site,
+            v.smooth_depth, v.mixture, v.things, v.tiles,   v.datum,      v.tick};
+}
+
 inline View view(const State& s) {
     return {s.grid,
             s.bedrock,

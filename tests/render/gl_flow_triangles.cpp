@@ -112,7 +112,8 @@ class FlowPicture : public Gl {
     Skin drawn(std::span<const TriangleRun> triangles) {
         const Rectangle all = target_.all();
         target_.begin_scene({&all, 1});
-        pass_->draw(FlowPattern::kSnow, Overlay::kNone, target_, {&all, 1}, triangles, changed_, screen_);
+        pass_->find(triangles, changed_, screen_);
+        pass_->draw(FlowPattern::kSnow, Overlay::kNone, target_, {&all, 1});
         return {texels_of(SLOT_SKIN_ALBEDO), texels_of(SLOT_SKIN_RELIEF)};
     }
 
