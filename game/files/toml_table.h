@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -26,6 +27,13 @@ class TomlTable {
     TomlTable(const toml::table& table, std::string name, std::string file, TomlFault& fault);
 
     std::optional<double> number(std::string_view key, double least, double most);
+    // The numbers of `list` (game/scene/shown_numbers.h) that are given; the others stay as they are.
+    template <class List, class Of>
+    void numbers(const List& list, Of& of) {
+        for (const auto& each : list)
+            if (const auto value = number(each.in_scene, each.least, each.most))
+                of.*each.value = static_cast<std::remove_reference_t<decltype(of.*each.value)>>(*value);
+    }
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);

@@ -17,8 +17,8 @@
 #include "game/recording/ground_data.h"
 #include "game/recording/things_json.h"
 #include "game/scene/flow_kinds.h"
+#include "game/scene/shown_numbers.h"
 #include "game/scene/standing.h"
-#include "render/view/sky_light.h"
 
 namespace game {
 namespace {
@@ -30,11 +30,14 @@ constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;
 constexpr int kMostMedal = 3;  // gold
 
 // The readers below throw the fact; the public functions return it as a value.
+using values::add_numbers;
 using values::list;
 using values::member;
 using values::named;
 using values::number;
 using values::numbers;
+using values::numbers_from;
+using values::numbers_json;
 using values::place_from;
 using values::place_json;
 using values::refuse;
@@ -48,7 +51,7 @@ std::uint64_t hash_of(const Json& json, const char* key) {
     return *value;
 }
 
-Json numbers_json(const sim::Params& params) {
+Json params_json(const sim::Params& params) {
     Json json;
     for (const sim::ParamInfo& info : sim::kParams)
         json[std::string(info.name)] = shortest(params.*info.value);
@@ -61,11 +64,11 @@ Json physics_json(const sim::Params& params) {
               {"law", sim::to_string(params.law)}};
     for (std::size_t side = 0; side < sim::kSides.size(); ++side)
         json["borders"][std::string(sim::kSides[side])] = sim::to_string(params.borders[side]);
-    json.update(numbers_json(params));
+    json.update(params_json(params));
     return json;
 }
 
-void numbers_from(const Json& json, sim::Params& params) {
+void params_from(const Json& json, sim::Params& params) {
     for (const sim::ParamInfo& info : sim::kParams)
         params.*info.value =
             static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
@@ -79,7 +82,7 @@ sim::Params physics_from(const Json& json) {
     params.law = named(json, "law", sim::law_from);
     for (std::size_t side = 0; side < sim::kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), sim::kSides[side].data(), sim::border_from);
-    numbers_from(json, params);
+    params_from(json, params);
     return params;
 }
 
@@ -90,7 +93,7 @@ std::optional<double> density_from(const Json& json) {
 
 Scenario::Lower lower_from(const Json& json, const sim::Params& world) {
     Scenario::Lower lower{text(json, "material"), world, {}, density_from(json), {}, {}};
-    numbers_from(member(json, "physics"), lower.params);
+    params_from(member(json, "physics"), lower.params);
     sim::take_choices(world, lower.params);
     return lower;
 }
@@ -160,14 +163,13 @@ void ground_from(const Json& json, const Memory& memory, bool has_things, Scenar
 
 // A flow scene; this includes how it is viewed.
 Json flow_json(const Scenario::Flow& flow, const render::FlowLook& look) {
-    return {{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
-            {"angle_rad", flow.flow.angle},
-            {"through", {{"x", flow.flow.through.x}, {"y", flow.flow.through.y}}},
-            {"speed", flow.numbers.speed},
-            {"front_speed", flow.numbers.front_speed},
-            {"smooth", flow.numbers.smooth},
-            {"source", sim::front::to_string(flow.numbers.source)},
-            {"repeats", look.repeats}};
+    Json json{{"kind", kFlowKinds[static_cast<std::size_t>(flow.flow.kind)]},
+              {"angle_rad", flow.flow.angle},
+              {"through", {{"x", flow.flow.through.x}, {"y", flow.flow.through.y}}}};
+    add_numbers(kFlowNumbers, flow.numbers, json);
+    json["source"] = sim::front::to_string(flow.numbers.source);
+    add_numbers(kFlowLookNumbers, look, json);
+    return json;
 }
 
 void flow_from(const Json& json, Scenario& scenario) {
@@ -185,17 +187,16 @@ void flow_from(const Json& json, Scenario& scenario) {
     flow.flow.angle = number(json, "angle_rad", -10, 10);
     const Json& through = member(json, "through");
     flow.flow.through = {number(through, "x", 0, 1), number(through, "y", 0, 1)};
-    flow.numbers.speed = number(json, "speed", 0, 1);
-    flow.numbers.front_speed = number(json, "front_speed", -4, 4);
-    flow.numbers.smooth = number(json, "smooth", 0, 0.1);
+    numbers_from(json, kFlowNumbers, flow.numbers);
     flow.numbers.source = *source;
     scenario.flow = flow;
     scenario.look.flow->everywhere = true;
-    scenario.look.flow->repeats = number(json, "repeats", 0.1, 100);
+    numbers_from(json, kFlowLookNumbers, *scenario.look.flow);
 }
 
 Json trees_json(const render::TreeRules& trees) {
-    Json json = {{"density", trees.density}, {"line_m", trees.line_m}, {"seed", trees.seed}};
+    Json json = numbers_json(kTreeNumbers, trees);
+    json["seed"] = trees.seed;
     for (const glm::dvec2& corner : trees.polygon) json["polygon"].push_back(place_json(corner));
     if (!trees.shares.empty()) json["shares"] = pack_bytes(trees.shares);
     return json;
@@ -204,8 +205,7 @@ Json trees_json(const render::TreeRules& trees) {
 // After the ground, of whose vertices the shares are.
 render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
     render::TreeRules trees;
-    trees.density = number(json, "density", 0, render::TreeRules::kDensest);
-    trees.line_m = number(json, "line_m", -12000, 9000);
+    numbers_from(json, kTreeNumbers, trees);
     trees.seed = static_cast<std::uint32_t>(whole(json, "seed", 0, 1'000'000));
     for (const Json& corner : list(json, "polygon", kMostTreeCorners))
         trees.polygon.push_back(place_from(corner));
@@ -228,10 +228,8 @@ Json view_json(const Scenario& scenario) {
     json["look"] = {{"rock", colour(look.rock)},
                     {"meadow", colour(look.meadow)},
                     {"standing", colour(look.standing)},
-                    {"rolling", colour(look.rolling)},
-                    {"roughness", shortest(look.roughness)},
-                    {"cover_visible_m", shortest(look.cover_visible_m)},
-                    {"rolling_visible_m", shortest(look.rolling_visible_m)}};
+                    {"rolling", colour(look.rolling)}};
+    add_numbers(kLookNumbers, look, json["look"]);
     if (scenario.lower) {
         json["look"]["lower_standing"] = colour(look.lower_standing);
         json["look"]["lower_rolling"] = colour(look.lower_rolling);
@@ -239,27 +237,22 @@ Json view_json(const Scenario& scenario) {
     if (look.turf) json["look"]["turf"] = colour(*look.turf);
     if (look.lower_turf) json["look"]["lower_turf"] = colour(*look.lower_turf);
     const auto powder = [&](const char* key, const render::PowderLook& of) {
-        if (of.strength > 0)
-            json["look"][key] = {{"strength", shortest(of.strength)},
-                                 {"speed", shortest(of.speed)},
-                                 {"colour", colour(of.colour)}};
+        if (of.strength <= 0) return;
+        json["look"][key] = numbers_json(kPowderNumbers, of);
+        json["look"][key]["colour"] = colour(of.colour);
     };
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
     if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
-    if (const render::Wind& wind = scenario.wind; wind.speed > 0)
-        json["wind"] = {{"from_deg", wind.from_deg}, {"speed", wind.speed}};
+    if (scenario.wind.speed > 0) json["wind"] = numbers_json(kWindNumbers, scenario.wind);
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
-    json["light"] = {{"azimuth_deg", scenario.light.azimuth_deg},
-                     {"elevation_deg", scenario.light.elevation_deg}};
-    if (const auto& camera = scenario.camera)
-        json["camera"] = {{"target", numbers({camera->target.x, camera->target.y, camera->target.z})},
-                          {"azimuth_deg", camera->azimuth_deg},
-                          {"elevation_deg", camera->elevation_deg},
-                          {"distance_m", camera->distance_m},
-                          {"field_of_view_deg", camera->field_of_view_deg}};
+    json["light"] = numbers_json(kLightNumbers, scenario.light);
+    if (const auto& camera = scenario.camera) {
+        json["camera"]["target"] = numbers({camera->target.x, camera->target.y, camera->target.z});
+        add_numbers(kCameraNumbers, *camera, json["camera"]);
+    }
     return json;
 }
 
@@ -278,15 +271,12 @@ void view_from(const Json& json, Scenario& scenario) {
     const auto powder = [&](const char* key, render::PowderLook& of) {
         if (!look.contains(key)) return;
         const Json& from = member(look, key);
-        of.strength = static_cast<float>(number(from, "strength", 0, 1));
-        of.speed = static_cast<float>(number(from, "speed", 0.1, 100));
+        numbers_from(from, kPowderNumbers, of);
         of.colour = triple(from, "colour", 0, 1);
     };
     powder("powder", scenario.look.powder);
     powder("lower_powder", scenario.look.lower_powder);
-    scenario.look.roughness = static_cast<float>(number(look, "roughness", 0, 1));
-    scenario.look.cover_visible_m = static_cast<float>(number(look, "cover_visible_m", 0, 10));
-    scenario.look.rolling_visible_m = static_cast<float>(number(look, "rolling_visible_m", 0.001, 10));
+    numbers_from(look, kLookNumbers, scenario.look);
     if (look.contains("style")) {
         scenario.model = text(look, "style") == "model";
         if (!scenario.model) refuse(fmt::format("look: unknown style '{}'", text(look, "style")));
@@ -296,21 +286,13 @@ void view_from(const Json& json, Scenario& scenario) {
         if (!pattern) refuse(fmt::format("look: unknown texture '{}'", text(look, "texture")));
         scenario.look.flow = render::FlowLook{*pattern};
     }
-    if (json.contains("wind")) {
-        const Json& wind = member(json, "wind");
-        scenario.wind = {number(wind, "from_deg", -360, 360),
-                         number(wind, "speed", 0, render::Wind::kFastest)};
-    }
+    if (json.contains("wind")) numbers_from(member(json, "wind"), kWindNumbers, scenario.wind);
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
-    const Json& light = member(json, "light");
-    scenario.light = {number(light, "azimuth_deg", -360, 360),
-                      number(light, "elevation_deg", render::kLowestSunDeg, render::kHighestSunDeg)};
+    numbers_from(member(json, "light"), kLightNumbers, scenario.light);
     if (!json.contains("camera")) return;
     const Json& camera = member(json, "camera");
-    scenario.camera =
-        render::Camera{triple(camera, "target", -1e9, 1e9), number(camera, "azimuth_deg", -360, 360),
-                       number(camera, "elevation_deg", -90, 90), number(camera, "distance_m", 0.1, 1e6),
-                       number(camera, "field_of_view_deg", 5, 120)};
+    scenario.camera.emplace().target = triple(camera, "target", -1e9, 1e9);
+    numbers_from(camera, kCameraNumbers, *scenario.camera);
 }
 
 // Returns the minor version.
@@ -411,10 +393,6 @@ Line read_line(const Json& json) {
 
 }  // namespace
 
-double shortest(float value) {
-    return number_from<double>(fmt::format("{}", value)).value_or(static_cast<double>(value));
-}
-
 Json to_json(const Header& header) {
     const Scenario& scenario = header.scenario;
     Json json{{"format", kFormatName},
@@ -438,7 +416,7 @@ Json to_json(const Header& header) {
                                   {"program", origin->program}};
     if (scenario.lower)
         json["lower"] = {{"material", scenario.lower->material},
-                         {"physics", numbers_json(scenario.lower->params)}};
+                         {"physics", params_json(scenario.lower->params)}};
     if (scenario.lower && scenario.lower->density) json["lower"]["density"] = *scenario.lower->density;
     if (scenario.lower)
         if (Json mixed = mixed_json(*scenario.lower); !mixed.empty())

@@ -95,8 +95,6 @@ void write(const EndLine& end, std::string& line);
 using Line = std::variant<TimedCommand, StateLine, ClaimLine, EndLine>;
 tl::expected<Line, std::string> line_from(const Json& json);
 
-// The double whose shortest text equals the float's.
-double shortest(float value);
 std::string hex(std::uint64_t value);  // 16 digits
 // For people and scripts: indented, with a line break. Invalid
 // UTF-8, which a file name may contain, becomes U+FFFD.

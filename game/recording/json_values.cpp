@@ -3,6 +3,15 @@
 #include <stdexcept>
 
 #include "game/base/limits.h"
+#include "game/base/number.h"
+
+namespace game {
+
+double shortest(float value) {
+    return number_from<double>(fmt::format("{}", value)).value_or(static_cast<double>(value));
+}
+
+}  // namespace game
 
 namespace game::values {
 

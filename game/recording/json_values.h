@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <glm/vec2.hpp>
@@ -12,8 +13,13 @@
 #include <nlohmann/json.hpp>
 
 namespace game {
+
 using Json = nlohmann::ordered_json;
-}
+
+// The double whose shortest text equals the float's.
+double shortest(float value);
+
+}  // namespace game
 
 // Values of a recording's JSON, read and written. The readers throw std::runtime_error with the fact; the public
 // functions of format.h return it as a value.
@@ -43,6 +49,33 @@ auto named(const Json& json, const char* key, Find&& find) {
 }
 
 Json numbers(std::initializer_list<double> values);
+
+inline double as_recorded(float value) {
+    return shortest(value);
+}
+inline double as_recorded(double value) {
+    return value;
+}
+
+// The recorded numbers of `list` (game/scene/shown_numbers.h).
+template <class List, class Of>
+void numbers_from(const Json& json, const List& list, Of& of) {
+    for (const auto& each : list)
+        if (!each.in_recording.empty())
+            of.*each.value = static_cast<std::remove_reference_t<decltype(of.*each.value)>>(
+                number(json, each.in_recording.data(), each.least, each.most));
+}
+template <class List, class Of>
+void add_numbers(const List& list, const Of& of, Json& json) {
+    for (const auto& each : list)
+        if (!each.in_recording.empty()) json[each.in_recording.data()] = as_recorded(of.*each.value);
+}
+template <class List, class Of>
+Json numbers_json(const List& list, const Of& of) {
+    Json json;
+    add_numbers(list, of, json);
+    return json;
+}
 Json place_json(glm::dvec2 at);
 
 }  // namespace game::values

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "game/scene/material.h"
+#include "game/scene/shown_numbers.h"
 
 namespace game {
 namespace {
@@ -40,9 +41,7 @@ TestFlow usual(TestFlow::Kind kind, int squares) {
 
 void read_numbers(TomlTable& table, Scenario::Flow& flow) {
     sim::fields::FlowNumbers& numbers = flow.numbers;
-    numbers.speed = table.number("speed", 0, 1).value_or(numbers.speed);
-    numbers.front_speed = table.number("front_speed", -4, 4).value_or(numbers.front_speed);
-    numbers.smooth = table.number("smooth", 0, 0.1).value_or(numbers.smooth);
+    table.numbers(kFlowNumbers, numbers);
     if (const auto angle = table.number("angle", -360, 360))
         flow.flow.angle = *angle * std::numbers::pi / 180;
     if (const auto name = table.text("source")) {
@@ -62,7 +61,7 @@ void read_look(TomlTable& table, Scenario& scenario) {
                                                fmt::join(render::kFlowPatterns, ", ")));
         scenario.look.flow->pattern = pattern.value_or(scenario.look.flow->pattern);
     }
-    scenario.look.flow->repeats = table.number("repeats", 0.1, 100).value_or(scenario.look.flow->repeats);
+    table.numbers(kFlowLookNumbers, *scenario.look.flow);
 }
 
 }  // namespace

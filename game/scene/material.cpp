@@ -7,6 +7,7 @@
 
 #include "game/files/assets.h"
 #include "game/scene/scenario.h"
+#include "game/scene/shown_numbers.h"
 
 namespace game {
 namespace {
@@ -31,14 +32,7 @@ void read_look(TomlTable& table, render::Look& look) {
     read_colour(table, "standing", look.standing);
     read_colour(table, "rolling", look.rolling);
     if (glm::vec3 turf{-1}; read_colour(table, "turf", turf), turf.x >= 0) look.turf = turf;
-    const auto set = [&](std::string_view key, float& value, double most) {
-        if (const auto number = table.number(key, 0, most)) value = static_cast<float>(*number);
-    };
-    set("roughness", look.roughness, 1);
-    set("cover_visible", look.cover_visible_m, 10);
-    set("old_cover", look.old_cover_m, 10);
-    if (const auto visible = table.number("rolling_visible", 0.001, 10))
-        look.rolling_visible_m = static_cast<float>(*visible);
+    table.numbers(kLookNumbers, look);
     if (const auto name = table.text("texture")) {
         if (const auto pattern = render::flow_pattern_named(*name))
             look.flow = render::FlowLook{*pattern};
@@ -46,9 +40,7 @@ void read_look(TomlTable& table, render::Look& look) {
             table.blame("texture", fmt::format("is not a known texture; known are {}",
                                                fmt::join(render::kFlowPatterns, ", ")));
     }
-    set("powder", look.powder.strength, 1);
-    if (const auto speed = table.number("powder_speed", 0.1, 100))
-        look.powder.speed = static_cast<float>(*speed);
+    table.numbers(kPowderNumbers, look.powder);
     look.powder.colour = look.standing;
     read_colour(table, "powder_colour", look.powder.colour);
     table.finish();
@@ -62,31 +54,9 @@ std::string angle_key(const sim::ParamInfo& info) {
     return key.replace(at, 6, "_angle");
 }
 
-// Keys that bcre-inertial had before forces drove it, and what to write instead.
-constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
-    {"speed_per_slope", "drag and friction: forces give the speed"},
-    {"max_speed", "drag and friction: forces give the speed"},
-    {"relaxation_time", "nothing: forces give the acceleration"},
-    {"half_speed_depth", "friction_thin and friction_fold_depth"},
-    {"stop_angle", "friction_thin, a number"},
-    {"stop_slope", "friction_thin"},
-    {"stop_angle_thick", "friction, a number"},
-    {"stop_slope_thick", "friction"},
-    {"stop_fold_depth", "friction_fold_depth"},
-    {"exchange_rate", "erosion_rate and deposit_rate"},
-    {"exchange_depth", "nothing: all of the layer exchanges"},
-    {"courant", "nothing: sub-steps are made for 150 m/s"},
-};
-
-void refuse_replaced(TomlTable& table) {
-    for (const auto& [key, by] : kReplaced)
-        if (table.has(key)) return table.blame(key, fmt::format("is gone from bcre-inertial; write {}", by));
-}
-
 }  // namespace
 
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params) {
-    if (model == sim::Model::kBcreInertial) refuse_replaced(table);
     for (const sim::ParamInfo& info : sim::kParams) {
         if (!sim::is_used_by(info, model)) continue;
         if (const auto value = table.number(info.name, info.least, info.most))

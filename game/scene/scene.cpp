@@ -18,6 +18,7 @@
 #include "game/scene/scene_light.h"
 #include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
+#include "game/scene/shown_numbers.h"
 #include "game/scene/standing.h"
 #include "render/mountain/overview.h"
 #include "terrains/dem_gdal.h"
@@ -163,11 +164,9 @@ void view_from_valley(Scenario& scenario) {
 
 // Reads [wind].
 void read_wind(TomlTable& table, render::Wind& wind) {
-    const auto from = table.number("from", -360, 360);
-    const auto speed = table.number("speed", 0, render::Wind::kFastest);
-    if (!from) table.blame("", "needs `from`, in degrees");
-    if (!speed) table.blame("", "needs a speed, in m/s");
-    wind = {from.value_or(0), speed.value_or(0)};
+    if (!table.has("from")) table.blame("", "needs `from`, in degrees");
+    if (!table.has("speed")) table.blame("", "needs a speed, in m/s");
+    table.numbers(kWindNumbers, wind);
     table.finish();
 }
 
@@ -186,10 +185,7 @@ std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
         const auto target = table->numbers("target", 3);
         if (target) camera.target = {(*target)[0], (*target)[1], (*target)[2]};
         if (!target) table->blame("", "needs a target: metres east, north and up");
-        camera.azimuth_deg = table->number("azimuth", -360, 360).value_or(camera.azimuth_deg);
-        camera.elevation_deg = table->number("elevation", -89, 89).value_or(camera.elevation_deg);
-        camera.distance_m = table->number("distance", 0.1, 1e6).value_or(camera.distance_m);
-        camera.field_of_view_deg = table->number("field_of_view", 5, 120).value_or(camera.field_of_view_deg);
+        table->numbers(kCameraNumbers, camera);
         table->finish();
         scenario.camera = camera;
     }

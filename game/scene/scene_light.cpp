@@ -5,6 +5,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "game/scene/shown_numbers.h"
 #include "render/view/sky_light.h"
 #include "render/view/sun_position.h"
 
@@ -24,24 +25,21 @@ double grid_north(const terrains::Georeference& georeference, terrains::LocalPoi
 }  // namespace
 
 std::optional<SunMoment> read_light(TomlTable& table, render::Light& light) {
-    const auto azimuth = table.number("azimuth", -360, 360);
-    const auto elevation = table.number("elevation", render::kLowestSunDeg, render::kHighestSunDeg);
+    table.numbers(kLightNumbers, light);
     const auto latitude = table.number("latitude", -90, 90);
     const auto longitude = table.number("longitude", -180, 180);
     const auto time = table.moment("time", 1900, 2100);
     const bool has_time = table.has("time");
     table.finish();
 
-    if (has_time && (azimuth || elevation))
-        table.blame(azimuth ? "azimuth" : "elevation",
+    if (has_time && (table.has("azimuth") || table.has("elevation")))
+        table.blame(table.has("azimuth") ? "azimuth" : "elevation",
                     "is given beside light.time, from which it follows; leave out one of them");
     if (!has_time && (latitude || longitude))
         table.blame(latitude ? "latitude" : "longitude",
                     "is given without light.time; add a time, such as 2026-02-14T08:30:00+01:00");
     if (table.has("latitude") != table.has("longitude"))
         table.blame(latitude ? "latitude" : "longitude", "needs both light.latitude and light.longitude");
-    light.azimuth_deg = azimuth.value_or(light.azimuth_deg);
-    light.elevation_deg = elevation.value_or(light.elevation_deg);
     if (!time) return std::nullopt;
     SunMoment moment{*time, {}};
     if (latitude && longitude) moment.place = {*latitude, *longitude};

@@ -8,6 +8,7 @@
 
 #include "files/input.h"
 #include "game/base/limits.h"
+#include "game/scene/shown_numbers.h"
 #include "terrains/dem_gdal.h"
 
 namespace game {
@@ -69,10 +70,8 @@ tl::expected<std::vector<std::uint8_t>, std::string> read_shares(const fs::path&
 TreesTable read_trees(TomlTable& table, const fs::path& folder, terrains::References references) {
     TreesTable trees;
     render::TreeRules& rules = trees.rules;
-    const auto density = table.number("density", 0, render::TreeRules::kDensest);
-    if (!density) table.blame("", "needs a density, in trees per hectare");
-    rules.density = density.value_or(0);
-    rules.line_m = table.number("tree_line", -12000, 9000).value_or(rules.line_m);
+    if (!table.has("density")) table.blame("", "needs a density, in trees per hectare");
+    table.numbers(kTreeNumbers, rules);
     rules.seed = static_cast<std::uint32_t>(table.whole("seed", 0, 1'000'000).value_or(rules.seed));
     if (const auto corners = table.places("polygon", kFewestTreeCorners, kMostTreeCorners)) {
         rules.polygon = *corners;

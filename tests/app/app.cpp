@@ -1315,6 +1315,8 @@ TEST_F(PlayingAChallenge, waits_for_its_player_if_its_scene_is_going_to_act_and_
     frames(70);
     EXPECT_FALSE(shows("in 0:01"));
     EXPECT_FALSE(sim::at_rest(state()));
+    blast_at(320, 165);  // else its recording would not stay
+    EXPECT_TRUE(app_->sandbox().was_touched());
     const std::filesystem::path tried = *app_->recording();
     tap(key('R'), {.control = true});
     frames(5);

@@ -122,10 +122,7 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[bcre]\nviscosity = 3\n", ":2: bcre.viscosity"},
         {"[bcre]\ndeposit_speed = 3\n", ":2: bcre.deposit_speed"},  // of the other model
         {"[bcre]\nrolling_speed = -1\n", ":2: bcre.rolling_speed"},
-        {"[bcre]\n[bcre-inertial]\nrelaxation_time = 2\n",
-         ":3: bcre-inertial.relaxation_time is gone from bcre-inertial; write nothing"},
-        {"[bcre]\n[bcre-inertial]\nstop_angle = 30\n",
-         ":3: bcre-inertial.stop_angle is gone from bcre-inertial; write friction_thin"},
+        {"[bcre]\n[bcre-inertial]\nrelaxation_time = 2\n", ":3: bcre-inertial.relaxation_time"},
         {"[bcre]\n[bcre-inertial]\nfriction = -1\n", ":3: bcre-inertial.friction"},
         {"[bcre]\nstop_angle = \"steep\"\n", ":2: bcre.stop_angle"},
         {"[look]\nstanding = [1, 2, 256]\n[bcre]\n", ":2: look.standing"},
