@@ -14,9 +14,9 @@
 #include "render/frame/slide_tiles.h"
 #include "render/gl/scoped_state.h"
 #include "render/gl/stage_clock.h"
+#include "render/mountain/bare_ground.h"
 #include "render/mountain/ground_mesh.h"
 #include "render/mountain/sun_sweep.h"
-#include "render/mountain/without_buildings.h"
 #include "render/passes/drawn_extent.h"
 #include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
@@ -53,7 +53,7 @@ struct Frame {
     const FrameInput& input;
     FieldsToGpu::Ground ground;  // what changed of it
     FrameBlock block = {};
-    Steady steady = {};
+    FrameKey key = {};
     bool new_world = false;
     bool everything = false;                                 // is drawn anew
     bool wooded = false, powdery = false, drifting = false;  // with any of that in view
@@ -62,7 +62,7 @@ struct Frame {
 }  // namespace
 
 struct Renderer::Parts {
-    WithoutBuildings without_buildings;
+    BareGround bare_ground;
     FieldsToGpu fields;
     Buffer frame_block;
     SurfacePass surface;
@@ -151,7 +151,7 @@ void Renderer::set_quality(Quality quality) {
 }
 
 void Renderer::forget() {
-    parts_->redrawn.steady.reset();
+    parts_->redrawn.key.reset();
 }
 
 double Renderer::redrawn() const {
@@ -176,7 +176,7 @@ std::optional<DrawTimes> Renderer::stage_times() const {
 
 // A building that is a part of the bedrock is drawn by its mesh, on the ground as it is without it.
 void Renderer::draw(const FrameInput& input) {
-    const sim::Field<float>* ground = parts_->without_buildings.find(input.world);
+    const sim::Field<float>* ground = parts_->bare_ground.find(input.world);
     if (!ground) return draw_ground(input);
     FrameInput without = input;
     std::construct_at(&without.world, sim::on_bedrock(input.world, *ground));  // a view cannot be assigned
@@ -203,10 +203,10 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
     frame.block =
         make_frame_block(input, fields.heights(), samples,
                          input.flows() ? std::optional(flow_tint(input.look, input.marks)) : std::nullopt);
-    frame.steady = steady_of(input, frame.block);
+    frame.key = frame_key_of(input, frame.block);
     const bool resized = target.resize(input.width, input.height, samples);
     const bool new_ground = frame.ground.terrain || frame.ground.first_depth;
-    frame.new_world = new_ground || !redrawn.steady || !same_surface(redrawn.steady->block, frame.block);
+    frame.new_world = new_ground || !redrawn.key || !same_surface(redrawn.key->block, frame.block);
     structures.build(input, frame.block, frame.ground.terrain, frame.ground.moved);
     bool new_trees = false;
     if (input.may_have_trees()) {
@@ -216,7 +216,7 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
                          input.first_depth, frame.block.sun, new_ground) == FollowedWoods::Change::kAll;
     }
     frame.everything =
-        new_trees || frame.new_world || resized || input.marks.flow_mesh || redrawn.steady != frame.steady;
+        new_trees || frame.new_world || resized || input.marks.flow_mesh || redrawn.key != frame.key;
     return frame;
 }
 
@@ -294,14 +294,14 @@ void Renderer::Parts::find(Frame& frame) {
 
     const int across = target.samples_across(), up = target.samples_up();
     const OnScreen screen(frame.block.clip_from_world, across, up);
-    for (ScreenTiles* each : {&redrawn.scene_tiles, &redrawn.forgotten_tiles})
+    for (ScreenTiles* each : {&redrawn.scene_tiles, &redrawn.ignored_tiles})
         each->begin(across, up, rules.tile);
     if (frame.everything)
         redrawn.scene_tiles.mark_all();
     else
         changed.mark(screen, redrawn.scene_tiles);
     const Redraw redraw{frame.block, changed, screen, frame.everything,
-                        rules.things ? redrawn.scene_tiles : redrawn.forgotten_tiles};
+                        rules.things ? redrawn.scene_tiles : redrawn.ignored_tiles};
     terrain.find(redraw);
     tiles.find(input, screen);
     tiles.mark_changes(redrawn.scene_tiles);
@@ -393,7 +393,7 @@ void Renderer::Parts::draw(const Frame& frame) {
     clock.mark(Pass::kEdges);
 
     redrawn.world.finish();
-    redrawn.steady = frame.steady;
+    redrawn.key = frame.key;
     redrawn.ring = marks.ring;
     redrawn.outline = marks.outline;
 }

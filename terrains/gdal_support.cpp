@@ -156,7 +156,7 @@ tl::expected<Raster, std::string> Raster::open(const std::filesystem::path& path
     return bad(fmt::format("not a readable raster ({})", errors.first()));
 }
 
-void SpatialReference::Destroy::operator()(void* handle) const {
+void DestroyReference::operator()(void* handle) const {
     OSRDestroySpatialReference(handle);
 }
 

@@ -74,6 +74,11 @@ class Raster {
     Dataset dataset_;
 };
 
+struct DestroyReference {
+    void operator()(void* handle) const;
+};
+using OwnedReference = std::unique_ptr<void, DestroyReference>;  // of an OGRSpatialReference
+
 // A coordinate system with x east-like and y north-like. Empty if the WKT cannot be read, if it names a file to be
 // read (a correction grid with a path), or if it has the code of another kind of system than it describes.
 class SpatialReference {
@@ -83,13 +88,10 @@ class SpatialReference {
     OGRSpatialReferenceH get() const { return handle_.get(); }
 
   private:
-    struct Destroy {
-        void operator()(void* handle) const;
-    };
     explicit SpatialReference(void* handle) : handle_(handle) {}
     bool has_code_of_another_kind() const;
 
-    std::unique_ptr<void, Destroy> handle_;
+    OwnedReference handle_;
 };
 
 }  // namespace terrains

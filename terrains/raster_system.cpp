@@ -17,10 +17,8 @@
 namespace terrains {
 namespace {
 
-using System = std::unique_ptr<void, void (*)(void*)>;
-
-System new_system() {
-    return {OSRNewSpatialReference(nullptr), OSRDestroySpatialReference};
+OwnedReference new_system() {
+    return OwnedReference(OSRNewSpatialReference(nullptr));
 }
 
 std::string to_wkt(OGRSpatialReferenceH system) {
@@ -78,7 +76,7 @@ std::string code_in(std::string_view text) {
 // What a .prj of ESRI may be besides WKT: lines of "Projection UTM", "Zone 32".
 std::optional<RasterSystem> read_lines(const std::string& text) {
     char** lines = CSLTokenizeString2(text.c_str(), "\r\n", CSLT_STRIPLEADSPACES | CSLT_STRIPENDSPACES);
-    const System system = new_system();
+    const OwnedReference system = new_system();
     const bool read = CSLCount(lines) > 0 && std::string_view(lines[0]).starts_with("Projection") &&
                       OSRImportFromESRI(system.get(), lines) == OGRERR_NONE;
     CSLDestroy(lines);
@@ -128,7 +126,7 @@ tl::expected<RasterSystem, std::string> system_beside(const std::filesystem::pat
 std::optional<RasterSystem> read_system(const std::string& text) {
     const GdalErrors errors;
     const std::string bare(trimmed(text));
-    const System by_code = new_system();
+    const OwnedReference by_code = new_system();
     if (const std::string code = code_in(bare); !code.empty()) {
         if (OSRSetFromUserInput(by_code.get(), code.c_str()) != OGRERR_NONE) return std::nullopt;
         return described(by_code.get());
@@ -141,7 +139,7 @@ std::optional<RasterSystem> read_system(const std::string& text) {
 tl::expected<RasterSystem, std::string> system_of(const Raster& raster) {
     OGRSpatialReferenceH declared = GDALGetSpatialRef(raster.get());
     if (declared == nullptr) return has_prj(raster.get()) ? system_beside(raster.path()) : RasterSystem();
-    const System own(OSRClone(declared), OSRDestroySpatialReference);
+    const OwnedReference own(OSRClone(declared));
     return described(own.get());
 }
 

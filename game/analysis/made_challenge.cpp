@@ -209,9 +209,9 @@ Harm harm_of(const Score& score, const sim::State& state) {
     return harm;
 }
 
-std::vector<TimedCommand> all_of(const Goal& goal, const Deeds& deeds) {
+std::vector<TimedCommand> all_of(const Goal& goal, const History& history) {
     std::vector<TimedCommand> all = goal.events;
-    std::ranges::copy_if(deeds.by_hand, std::back_inserter(all), [](const TimedCommand& each) {
+    std::ranges::copy_if(history.by_hand, std::back_inserter(all), [](const TimedCommand& each) {
         return each.command.kind != sim::CommandKind::kSet;
     });
     std::ranges::stable_sort(all, by_time);
@@ -235,38 +235,38 @@ Outcome<void> record_try(const Scenario& scenario, const std::vector<TimedComman
 
 }  // namespace
 
-Outcome<Goal> goal_of(const Scenario& scenario, const Deeds& deeds) {
+Outcome<Goal> goal_of(const Scenario& scenario, const History& history) {
     const float tick_s = scenario.params.tick_s;
     Goal goal;
     goal.score = {{{.measure = Measure::kRunOut}}};
-    goal.events = deeds.scene;
-    for (const TimedCommand& each : deeds.by_hand) {
+    goal.events = history.scene;
+    for (const TimedCommand& each : history.by_hand) {
         const sim::CommandKind kind = each.command.kind;
         if (kind == sim::CommandKind::kSet)
             goal.events.push_back(each);
         else if (!tool_of(goal, kind))
-            goal.tools.push_back(tool_for(kind, deeds.by_hand, tick_s));
+            goal.tools.push_back(tool_for(kind, history.by_hand, tick_s));
     }
     std::ranges::stable_sort(goal.events, by_time);
     if (goal.tools.empty()) return unusable("nothing was done in this world yet");
     goal.say = phrase_of(goal.tools) + ".";
     // A try ends by calm; it must not before the next thing was done.
-    const std::vector<TimedCommand> all = all_of(goal, deeds);
+    const std::vector<TimedCommand> all = all_of(goal, history);
     std::int64_t longest = 0;
     for (std::size_t i = 1; i < all.size(); ++i) longest = std::max(longest, all[i].tick - all[i - 1].tick);
     const double wait = static_cast<double>(longest) * static_cast<double>(tick_s);
-    if (wait > TryWatch::kCalm) goal.earliest_s = std::floor(wait) + 1;
+    if (wait > AttemptWatch::kCalm) goal.earliest_s = std::floor(wait) + 1;
     return goal;
 }
 
-Outcome<Scenario> make_challenge(const Scenario& scenario, const Deeds& deeds,
+Outcome<Scenario> make_challenge(const Scenario& scenario, const History& history,
                                  const sim::StepOptions& options, const fs::path& file,
                                  const std::atomic<bool>& stop) {
-    auto goal = goal_of(scenario, deeds);
+    auto goal = goal_of(scenario, history);
     if (!goal) return tl::unexpected(goal.error());
     Scenario made = scenario;
     made.goal = std::move(*goal);
-    const std::vector<TimedCommand> commands = all_of(*made.goal, deeds);
+    const std::vector<TimedCommand> commands = all_of(*made.goal, history);
     constexpr double kAnything = std::numeric_limits<std::int32_t>::max();
     made.goal->needs = {{{.measure = Measure::kDestroyed}, std::nullopt, kAnything},
                         {{.measure = Measure::kBlocked}, std::nullopt, kAnything}};

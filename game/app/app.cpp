@@ -50,7 +50,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     auto catalogue = read_catalogue();
     if (!catalogue) return tl::unexpected(catalogue.error());
     // Beside the shaders, which take as long.
-    auto around = std::async(std::launch::async, around_of, std::cref(loaded.scene.scenario));
+    auto backdrop = std::async(std::launch::async, backdrop_of, std::cref(loaded.scene.scenario));
     auto renderer = render::Renderer::create(*assets, render::Quality::kFast);
     if (!renderer) return machine_fails(renderer.error());
 
@@ -61,7 +61,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
         app->display_.tier = *tier;
     else
         app->image_.begin_trial(app->display_.frame_ms);
-    if (auto begun = app->begin_world(std::move(loaded), record, around.get()); !begun)
+    if (auto begun = app->begin_world(std::move(loaded), record, backdrop.get()); !begun)
         return tl::unexpected(begun.error());
     if (led) app->begin_tutorial(*led);
     return app;

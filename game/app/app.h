@@ -41,8 +41,7 @@ class App {
   public:
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
-    // one suits the machine. Who is `led` from the very
-    // first step watches `loaded`, the guide's slide.
+    // one suits the machine. `led`: how far the tutorial has got; at its first step `loaded` is its opening slide.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record,
@@ -150,10 +149,10 @@ class App {
     // Another world, whose time is neither paused nor at another speed.
     Outcome<void> begin_afresh(LoadedWorld loaded);
     // Replaces the world by `loaded`, recorded in `record` or else in the recordings folder, and closes the
-    // previous world. `around`: mountains and woods of `loaded`, if they are known. Errors: `record` cannot be written, and
+    // previous world. `backdrop`: mountains and woods of `loaded`, if they are known. Errors: `record` cannot be written, and
     // then nothing has changed.
     Outcome<void> begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
-                              std::optional<Around> around = std::nullopt);
+                              std::optional<Backdrop> backdrop = std::nullopt);
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
     void open_or_tell(const std::string& name_or_path, const Overrides& overrides);

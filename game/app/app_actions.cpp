@@ -180,7 +180,7 @@ void App::perform(const MakeChallenge&) {
         return warn(fmt::format("No challenge: {}", fits.error()));
     sim::StepOptions options;
     options.threads = 1;  // the window goes on
-    if (const auto begun = maker_.begin(scenario, sandbox_->deeds(), options); !begun)
+    if (const auto begun = maker_.begin(scenario, sandbox_->history(), options); !begun)
         return warn(fmt::format("No challenge: {}", begun.error().sentence));
     tell("Your slide is played again, to prove that the challenge can be won");
 }
@@ -424,7 +424,7 @@ Outcome<void> App::close_recording() {
 }
 
 Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
-                               std::optional<Around> around) {
+                               std::optional<Backdrop> backdrop) {
     // Reset keeps brush and camera; a different terrain does not. Another scene on the same ground has its own camera.
     const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
@@ -465,7 +465,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     hand_.drop();
     hand_.drop_numbers();
     if (!same) {
-        lookout_.surround(around ? std::move(*around) : around_of(scenario));
+        lookout_.surround(backdrop ? std::move(*backdrop) : backdrop_of(scenario));
         display_.surroundings = !scenario.model;
         hand_.suit(scenario.grid);
     }
@@ -480,7 +480,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     tell(first_.told);
     if (scenario.look.flow && !sandbox_->session().fronts()) tell(Session::kTooFine);
     if (const std::string notice = woods_notice(scenario, lookout_.woods()); !notice.empty()) tell(notice);
-    // Who plays against the clock may look first, unless the scene begins itself.
+    // A challenge that acts by itself starts paused, unless it acts at tick 0.
     const bool waits =
         scenario.goal && !scenario.goal->events.empty() && scenario.goal->events.front().tick > 0;
     if (waits && !sandbox_->watches()) time_.clock().pause(true);

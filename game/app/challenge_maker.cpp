@@ -13,7 +13,7 @@ namespace game {
 namespace {
 
 // Nothing remains of an unfinished challenge.
-Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const Deeds& deeds,
+Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const History& history,
                                         const sim::StepOptions& options, const std::atomic<bool>& stopped) {
     const auto folder = own_folder(OwnKind::kChallenge);
     if (!folder) return tl::unexpected(folder.error());
@@ -21,7 +21,7 @@ Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const Deeds& d
     if (!file) return tl::unexpected(file.error());
     Outcome<Scenario> made;
     try {
-        made = make_challenge(scenario, deeds, options, *file, stopped);
+        made = make_challenge(scenario, history, options, *file, stopped);
     } catch (const std::exception& thrown) {  // such as out of memory
         made = tl::unexpected(failure_of(thrown));
     }
@@ -33,10 +33,11 @@ Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const Deeds& d
 
 }  // namespace
 
-Outcome<void> ChallengeMaker::begin(Scenario scenario, Deeds deeds, const sim::StepOptions& options) {
-    return job_.begin(
-        [scenario = std::move(scenario), deeds = std::move(deeds),
-         options](const std::atomic<bool>& stopped) { return make_file(scenario, deeds, options, stopped); });
+Outcome<void> ChallengeMaker::begin(Scenario scenario, History history, const sim::StepOptions& options) {
+    return job_.begin([scenario = std::move(scenario), history = std::move(history),
+                       options](const std::atomic<bool>& stopped) {
+        return make_file(scenario, history, options, stopped);
+    });
 }
 
 }  // namespace game

@@ -15,7 +15,7 @@ namespace game {
 class ChallengeMaker {
   public:
     // Starts; nothing must be under way. Errors: the system cannot start a thread.
-    Outcome<void> begin(Scenario scenario, Deeds deeds, const sim::StepOptions& options);
+    Outcome<void> begin(Scenario scenario, History history, const sim::StepOptions& options);
     bool is_busy() const { return job_.is_busy(); }
 
     struct Made {

@@ -75,7 +75,7 @@ const ui::ResultCard* Results::card(const Sandbox& sandbox) const {
 
 void Results::show(ui::ResultCard card, const Sandbox& sandbox, std::int64_t began) {
     card_ = std::move(card);
-    card_.map = map_of_slide(sandbox.scenario(), sandbox.session(), sandbox.deeds().by_hand);
+    card_.map = map_of_slide(sandbox.scenario(), sandbox.session(), sandbox.history().by_hand);
     ended_ = sandbox.session().state().tick;
     began_ = std::max<std::int64_t>(began, 0);
     shows_card_ = true;

@@ -69,11 +69,13 @@ Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurround
     return watchers;
 }
 
-Outcome<void> Outputs::close(const Session& session, std::span<const TimedCommand> commands, bool results) {
-    if (gallery_) {
-        if (results) draw_results(*gallery_, session);
+void Outputs::draw_results(const Session& session) {
+    if (gallery_) game::draw_results(*gallery_, session);
+}
+
+Outcome<void> Outputs::close(const Session& session, std::span<const TimedCommand> commands) {
+    if (gallery_)
         if (auto closed = gallery_->close(); !closed) return closed;
-    }
     if (page_)
         if (auto written = page_->write(*options_->web.file, session, commands); !written)
             return tl::unexpected(written.error());

@@ -25,8 +25,10 @@ class Outputs {
     Outcome<void> open(const Scenario& scenario);
     // Prints what cannot be drawn, begins the log, and returns the observers of the session; they refer to these outputs.
     Watchers watch(const Scenario& scenario, Session& session, PerfSurroundings surroundings);
-    // Draws the maps of the results beside the frames, if `results`, and writes the page. Errors: status 3.
-    Outcome<void> close(const Session& session, std::span<const TimedCommand> commands, bool results);
+    // Draws the maps of the results, if there are frames to lay them beside.
+    void draw_results(const Session& session);
+    // Ends the frames and writes the page. Errors: status 3.
+    Outcome<void> close(const Session& session, std::span<const TimedCommand> commands);
 
     const PerfLog& perf() const { return *perf_; }
 

@@ -122,7 +122,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     };
     if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
         return tl::unexpected(played.error());
-    if (auto closed = outputs->close(*session, recording->commands, false); !closed)
+    if (auto closed = outputs->close(*session, recording->commands); !closed)
         return tl::unexpected(closed.error());
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});

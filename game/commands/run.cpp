@@ -118,8 +118,8 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
     if (options.reference) summary.reference = &reference;
     if (scenario.goal)
         if (const auto score = referee.decide()) summary.score = *score;
-    if (auto closed = outputs.close(session, scene.commands, true); !closed)
-        return tl::unexpected(closed.error());
+    outputs.draw_results(session);
+    if (auto closed = outputs.close(session, scene.commands); !closed) return tl::unexpected(closed.error());
     if (options.export_folder) {
         const auto exported =
             options.iseesnow

@@ -8,8 +8,7 @@
 
 namespace game {
 
-// Leads who is here for the first time from one deed to the next: first a slide to watch, then one hint at a time, each
-// until it was followed or closed.
+// The tutorial of a first session: a slide to watch, then one hint at a time, each until it was followed or closed.
 class Guide {
   public:
     enum class Step : std::uint8_t { kWatch, kBlast, kRewind, kGoOn, kPour, kChallenge, kDone };

@@ -8,7 +8,7 @@ namespace game {
 
 const render::Surroundings& Lookout::surroundings() const {
     static const render::Surroundings none;
-    return display_.surroundings ? around_.mountains : none;
+    return display_.surroundings ? backdrop_.mountains : none;
 }
 
 double Lookout::aspect() const {

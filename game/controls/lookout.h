@@ -23,7 +23,7 @@ class Lookout {
     // Both outlive it.
     Lookout(const Screen& screen, const Display& display) : screen_(screen), display_(display) {}
 
-    void surround(Around around) { around_ = std::move(around); }
+    void surround(Backdrop backdrop) { backdrop_ = std::move(backdrop); }
     // A camera for this world, in the middle of what surrounds it.
     void enter(const render::Camera& home, const sim::View& world) {
         control_.emplace(home, world, surroundings());
@@ -32,7 +32,7 @@ class Lookout {
     CameraControl& control() { return *control_; }
     const render::Camera& camera() const { return control_->camera(); }
     const render::Surroundings& surroundings() const;
-    const render::Woods& woods() const { return around_.woods; }
+    const render::Woods& woods() const { return backdrop_.woods; }
 
     // Applies the input of a frame to the camera, and finds the ground under the cursor in the new view.
     void move(const Input& input, const std::optional<SlideFront::Front>& followed, const sim::View& world,
@@ -56,7 +56,7 @@ class Lookout {
 
     const Screen& screen_;
     const Display& display_;
-    Around around_;
+    Backdrop backdrop_;
     std::optional<CameraControl> control_;
     std::optional<glm::dvec3> pivot_;   // of a drag
     std::optional<glm::dvec3> ground_;  // under the cursor

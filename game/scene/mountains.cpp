@@ -53,10 +53,10 @@ std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {
                        woods.asked(), woods.trees().size());
 }
 
-Around around_of(const Scenario& scenario) {
-    Around around{mountains_around(scenario), {}};
-    around.woods = woods_on(scenario, around.mountains);
-    return around;
+Backdrop backdrop_of(const Scenario& scenario) {
+    Backdrop backdrop{mountains_around(scenario), {}};
+    backdrop.woods = woods_on(scenario, backdrop.mountains);
+    return backdrop;
 }
 
 }  // namespace game

@@ -18,10 +18,10 @@ render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mou
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods);
 
 // Both. To find them takes up to half a second.
-struct Around {
+struct Backdrop {
     render::Surroundings mountains;
     render::Woods woods;
 };
-Around around_of(const Scenario& scenario);
+Backdrop backdrop_of(const Scenario& scenario);
 
 }  // namespace game

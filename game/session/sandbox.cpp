@@ -127,7 +127,7 @@ GoalUse Sandbox::goal_use() const {
     return use;
 }
 
-Deeds Sandbox::deeds() const {
+History Sandbox::history() const {
     if (!opening_.name.empty()) return {{}, commands_so_far()};
     const auto done = commands_before(by_hand_, session_.state().tick);
     return {opening_.scene.commands, {done.begin(), done.end()}};

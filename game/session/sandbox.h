@@ -19,7 +19,7 @@
 namespace game {
 
 // What was done in a world since it began.
-struct Deeds {
+struct History {
     std::vector<TimedCommand> scene;    // its own commands, all of them, sorted by tick
     std::vector<TimedCommand> by_hand;  // those of a person so far, sorted by tick
 };
@@ -75,7 +75,7 @@ class Sandbox {
     GoalUse goal_use() const;
     // What was done in this world, its own commands and a person's apart. What was done in a recording before it was
     // taken over counts as a person's.
-    Deeds deeds() const;
+    History history() const;
     // Everything that was done before this tick, sorted by tick; in each the scene or the recording first.
     std::vector<TimedCommand> commands_so_far() const;
 

@@ -11,7 +11,7 @@
 #include "game/scene/pressure.h"
 #include "game/scene/scenario.h"
 #include "game/scene/structures.h"
-#include "game/session/try_watch.h"
+#include "game/session/attempt_watch.h"
 #include "game/session/world_fronts.h"
 #include "render/view/flow_so_far.h"
 #include "sim/engine.h"
@@ -50,7 +50,7 @@ class Session {
         std::vector<sim::powder::Puff> powder;
         Peaks peaks;
         std::size_t active_cells = 0;
-        std::optional<TryWatch> challenge;
+        std::optional<AttemptWatch> challenge;
         StateLine line;
         std::optional<Recorder::Mark> mark;
     };
@@ -154,7 +154,7 @@ class Session {
     Peaks peaks_;
     std::optional<Densities> densities_;
     StructureWatch structures_;
-    std::optional<TryWatch> try_;  // of a challenge
+    std::optional<AttemptWatch> try_;  // of a challenge
     TickTimes times_;
     std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;

@@ -26,10 +26,10 @@
 #include "game/share/sha256.h"
 #include "render/frame/make_frame_block.h"
 #include "render/frame/marks.h"
+#include "render/mountain/bare_ground.h"
 #include "render/mountain/drawn_mixture.h"
 #include "render/mountain/height_range.h"
 #include "render/mountain/overview.h"
-#include "render/mountain/without_buildings.h"
 #include "render/view/wind.h"
 
 namespace game {
@@ -284,7 +284,7 @@ struct SlidePage::Parts {
     render::Camera camera;
     render::FrameBlock frame{};
     const sim::State first;  // at tick 0
-    render::WithoutBuildings without_buildings;
+    render::BareGround bare_ground;
     std::int64_t given = -1;           // tick of the last moment that was given
     std::int64_t things_changed = -1;  // as in the state of the last moment
     std::optional<Scenery> scenery;
@@ -312,7 +312,7 @@ struct SlidePage::Parts {
     // The world at tick 0 on the ground of the page, which has no buildings: they are drawn by their mesh.
     sim::View at_first() {
         const sim::View w = sim::view(first);
-        const sim::Field<float>* ground = without_buildings.find(w);
+        const sim::Field<float>* ground = bare_ground.find(w);
         return {w.grid,       ground ? *ground : w.bedrock,
                 w.depth,      w.rolling,
                 w.velocity_x, w.velocity_y,

@@ -11,16 +11,16 @@ Rectangle in_pixels(const Rectangle& r, int samples) {
 
 }  // namespace
 
-Steady steady_of(const FrameInput& input, const FrameBlock& block) {
-    Steady steady{block};
-    steady.block.ring = steady.block.ring_colour = glm::vec4(0);
-    steady.block.outline = steady.block.outline_colour = glm::vec4(0);
-    steady.flows = input.flows();
-    steady.lines = input.marks.has_lines();
-    steady.mesh = input.marks.flow_mesh;
-    if (steady.flows) steady.pattern = input.look.flow->pattern;
-    if (input.surrounded()) steady.surroundings = input.surroundings->fingerprint();
-    return steady;
+FrameKey frame_key_of(const FrameInput& input, const FrameBlock& block) {
+    FrameKey key{block};
+    key.block.ring = key.block.ring_colour = glm::vec4(0);
+    key.block.outline = key.block.outline_colour = glm::vec4(0);
+    key.flows = input.flows();
+    key.lines = input.marks.has_lines();
+    key.mesh = input.marks.flow_mesh;
+    if (key.flows) key.pattern = input.look.flow->pattern;
+    if (input.surrounded()) key.surroundings = input.surroundings->fingerprint();
+    return key;
 }
 
 bool same_surface(const FrameBlock& a, const FrameBlock& b) {

@@ -17,13 +17,13 @@ namespace render {
 
 // All that a frame depends on but the world, what is built on it and what is in the air. Where one differs from the
 // last frame's, all is drawn anew.
-struct Steady {
+struct FrameKey {
     FrameBlock block;  // without a ring and an outline
     bool flows = false, lines = false, mesh = false;
     FlowPattern pattern = {};
     std::uint64_t surroundings = 0;  // fingerprint; 0: none
 
-    bool operator==(const Steady& other) const {
+    bool operator==(const FrameKey& other) const {
         const auto bytes = [](const FrameBlock& of) { return std::as_bytes(std::span(&of, 1)); };
         return std::ranges::equal(bytes(block), bytes(other.block)) && flows == other.flows &&
                lines == other.lines && mesh == other.mesh && pattern == other.pattern &&
@@ -31,7 +31,7 @@ struct Steady {
     }
 };
 
-Steady steady_of(const FrameInput& input, const FrameBlock& block);
+FrameKey frame_key_of(const FrameInput& input, const FrameBlock& block);
 
 // Whether surface.comp and cover.glsl make the same of a vertex.
 bool same_surface(const FrameBlock& a, const FrameBlock& b);
@@ -47,11 +47,11 @@ struct Redraw {
 
 // What one frame draws anew, and the last one drew.
 struct Redrawn {
-    std::optional<Steady> steady;    // of the last frame; none: it is forgotten
+    std::optional<FrameKey> key;     // of the last frame; none: it is forgotten
     std::optional<Ring> ring;        // of the last frame
     std::optional<Outline> outline;  // of the last frame
     WhatChanged world;
-    ScreenTiles scene_tiles, shown_tiles, smoothed_tiles, forgotten_tiles;
+    ScreenTiles scene_tiles, shown_tiles, smoothed_tiles, ignored_tiles;
     std::vector<Rectangle> scene;            // samples: what stands there
     std::vector<Rectangle> shown;            // pixels: that, and what floats in the air
     std::vector<Rectangle> air, smoothed;    // samples of `shown`; pixels around it whose edges may change

@@ -146,7 +146,7 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
         scissor(part);
         remesher_.draw_first_pieces(runs_);
     }
-    // Nobody knows here where further pieces are. What they draw between the parts is the same again.
+    // Where further pieces lie is not known here. What they draw between the parts is the same again.
     if (!around.empty()) {
         scissor(around);
         remesher_.draw_further_pieces();

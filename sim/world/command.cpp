@@ -7,6 +7,7 @@
 
 #include "sim/core/check.h"
 #include "sim/core/number_text.h"
+#include "sim/world/edit_layers.h"
 #include "sim/world/on_ground.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
@@ -27,40 +28,16 @@ std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
     return until(tick + 1) - until(tick);
 }
 
-// What a layer can still take: beyond half of kDeepest it could not be counted exactly.
-float room_above(float layer) {
-    return std::max(kDeepest / 2 - layer, 0.f);
-}
-
-void set_rolling(State& s, int x, int y, float rolling) {
-    // Momentum stays: what is added is at rest, what is taken carries its share away.
-    const float before = s.rolling(x, y);
-    if (rolling > before) {
-        s.velocity_x(x, y) *= before / rolling;
-        s.velocity_y(x, y) *= before / rolling;
-    } else if (rolling == 0) {
-        s.velocity_x(x, y) = s.velocity_y(x, y) = 0;
-    }
-    s.rolling(x, y) = rolling;
-}
-
 void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
     const Disc disc(c, s.grid.dx);
     const double total = disc.total_weight(s.grid.dx, c.profile);
     const double volume = c.rate * tick_s * static_cast<double>(ticks);
     each_ground(s, c, c.profile, [&](int x, int y, double w) {
         const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
-        float& layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
-        const auto room = static_cast<std::int64_t>((kDeepest / 2 - layer) / kQuantum);
-        const auto quanta = std::clamp<std::int64_t>(due, 0, std::max<std::int64_t>(room, 0));
-        const float filled = layer + static_cast<float>(quanta) * kQuantum;
-        if (c.of == Part::kLower)
-            pour_lower(s, x, y, c.layer == Layer::kRolling, static_cast<float>(quanta) * kQuantum);
-        if (c.layer == Layer::kStanding)
-            layer = filled;
-        else
-            set_rolling(s, x, y, filled);
-        s.ledger.poured += quanta;
+        const float layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
+        const auto room = static_cast<std::int64_t>(room_in(layer) / kQuantum);
+        const auto quanta = std::clamp<std::int64_t>(due, 0, room);
+        pour_at(s, x, y, c.layer, c.of, static_cast<float>(quanta) * kQuantum);
     });
 }
 
@@ -72,11 +49,7 @@ void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, doub
         const float wanted = due * kQuantum;
         const float from_rolling = std::min(wanted, s.rolling(x, y));
         const float from_depth = std::min(wanted - from_rolling, s.depth(x, y));
-        dig_mixture(s, x, y, from_rolling, from_depth);
-        set_rolling(s, x, y, s.rolling(x, y) - from_rolling);
-        s.depth(x, y) -= from_depth;
-        s.ledger.dug += static_cast<std::int64_t>(from_rolling / kQuantum) +
-                        static_cast<std::int64_t>(from_depth / kQuantum);
+        dig_at(s, x, y, from_rolling, from_depth);
     });
 }
 
@@ -86,20 +59,13 @@ void blast(State& s, const Command& c) {
         return nearest_quanta(static_cast<float>(c.depth) * (1 - hold));
     };
     each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
-        const float moved = std::min({most(x, y), s.depth(x, y), room_above(s.rolling(x, y))});
-        start_mixture(s, x, y, moved);
-        s.depth(x, y) -= moved;
-        set_rolling(s, x, y, s.rolling(x, y) + moved);
+        start_at(s, x, y, std::min({most(x, y), s.depth(x, y), room_in(s.rolling(x, y))}));
     });
 }
 
 void settle(State& s, const Command& c) {
     each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
-        const float moved = std::min(s.rolling(x, y), room_above(s.depth(x, y)));
-        stop_mixture(s, x, y, moved);
-        s.depth(x, y) += moved;
-        set_rolling(s, x, y, s.rolling(x, y) - moved);
-        s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));  // and is loose no more
+        settle_at(s, x, y, std::min(s.rolling(x, y), room_in(s.depth(x, y))));
     });
 }
 

@@ -58,8 +58,8 @@ struct LowerAmounts {
 // Makes the mixture of an initial state, which must have its layers.
 Mixture make_mixture(const State& state, const Params& lower, const LowerAmounts& amounts);
 
-// Apply a command to the mixture of a vertex; the last three do nothing in a world of one material. Call
-// before R and d change. Amounts: m, whole quanta.
+// What edit_layers.h does to the mixture of a vertex, before R and d change; the last three do nothing in a world of one
+// material. Amounts: m, whole quanta.
 void pour_lower(State& state, int x, int y, bool rolling, float amount);
 void dig_mixture(State& state, int x, int y, float from_rolling, float from_standing);
 void start_mixture(State& state, int x, int y, float amount);

@@ -39,8 +39,8 @@ class MadeChallenge : public testing::Test {
         scenario_ = load_scene("winter-valley", overrides).value().scenario;
         scenario_.standing.placed.clear();
     }
-    Outcome<Scenario> make(const Deeds& deeds) {
-        return make_challenge(scenario_, deeds, sim::StepOptions{}, file_, stop_);
+    Outcome<Scenario> make(const History& history) {
+        return make_challenge(scenario_, history, sim::StepOptions{}, file_, stop_);
     }
     bool is_left_over() const {
         return std::filesystem::exists(file_) || std::filesystem::exists(file_.string() + ".part");

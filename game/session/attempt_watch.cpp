@@ -1,4 +1,4 @@
-#include "game/session/try_watch.h"
+#include "game/session/attempt_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace game {
 
-TryWatch::TryWatch(const Goal& goal, float tick_s) {
+AttemptWatch::AttemptWatch(const Goal& goal, float tick_s) {
     const auto ticks = [&](double seconds) { return std::llrint(seconds / static_cast<double>(tick_s)); };
     calm_ = ticks(kCalm);
     earliest_ = ticks(goal.earliest_s);
@@ -14,7 +14,7 @@ TryWatch::TryWatch(const Goal& goal, float tick_s) {
     if (goal.latest_s) latest_ = ticks(*goal.latest_s);
 }
 
-void TryWatch::see(const sim::State& state, bool acted) {
+void AttemptWatch::see(const sim::State& state, bool acted) {
     if (ended_at_) return;
     if (acted) {
         acted_at_ = state.tick - 1;
@@ -33,7 +33,7 @@ void TryWatch::see(const sim::State& state, bool acted) {
     if ((calm && may_end) || is_late) ended_at_ = state.tick;
 }
 
-double TryWatch::see_flow(const sim::State& state) {
+double AttemptWatch::see_flow(const sim::State& state) {
     double energy = 0;
     for (int y = 0; y < state.grid.ny; ++y) {
         const float* const rolling = state.rolling.row(y);

@@ -5,7 +5,7 @@
 namespace render {
 
 // Bedrock without the buildings that are a part of it, and without their rubble.
-class WithoutBuildings {
+class BareGround {
   public:
     // Null if no building is a part of the bedrock. Valid until the next call, and as long as the view.
     const sim::Field<float>* find(const sim::View& world);

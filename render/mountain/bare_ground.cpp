@@ -1,10 +1,10 @@
-#include "render/mountain/without_buildings.h"
+#include "render/mountain/bare_ground.h"
 
 #include <algorithm>
 
 namespace render {
 
-const sim::Field<float>* WithoutBuildings::find(const sim::View& world) {
+const sim::Field<float>* BareGround::find(const sim::View& world) {
     if (!world.things) return nullptr;
     const sim::Things& things = *world.things;
     bool any = false;

@@ -11,13 +11,13 @@ namespace game {
 
 // Finds when a try at a challenge ends: when its flow has got no farther for some seconds and has lost most of its
 // energy, but not before its last event; or when its time is over. A view: a copy of it is all of its memory.
-class TryWatch {
+class AttemptWatch {
   public:
     static constexpr double kFlowDepth = 0.1;  // m, of a flow that reaches a place; as Measures::kExtentDepth
     static constexpr double kCalm = 5;         // s for which the flow gets no farther
     static constexpr double kCalmShare = 0.25;  // of its greatest energy since the last command
 
-    TryWatch(const Goal& goal, float tick_s);
+    AttemptWatch(const Goal& goal, float tick_s);
 
     // Call after every tick; `acted`: commands were applied at its start.
     void see(const sim::State& state, bool acted);
