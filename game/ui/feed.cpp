@@ -45,6 +45,9 @@ void hold(const Modifiers& with) {
 Feed::Feed() {
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [imgui, ours] : kEditing) io.KeyMap[imgui] = static_cast<int>(ours);
+#if IMGUI_VERSION_NUM >= 18700  // Debian 13: else Ctrl and Shift count only after the first key
+    io.BackendUsingLegacyKeyArrays = 1;
+#endif
 }
 
 void Feed::add(std::span<const Event> events) {
