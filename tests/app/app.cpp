@@ -28,6 +28,14 @@ namespace {
 
 using app_test::GlScreen;
 
+// Waits for another thread or program: two minutes at most, because the machine may have other work.
+template <class Done>
+void wait_until(Done done) {
+    using Clock = std::chrono::steady_clock;
+    for (const auto end = Clock::now() + std::chrono::minutes(2); !done() && Clock::now() < end;)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 class Playing : public testing::Test {
   protected:
     Playing() { setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
@@ -1090,10 +1098,10 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
     for (int i = 0; i < 25 && !shows("Verdict"); ++i) pass(20);
     ASSERT_TRUE(shows("Make it a challenge"));
     click("Make it a challenge");
-    for (int i = 0; i < 3000 && app_->is_making_challenge(); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        if (i % 100 == 0) frames(1);
-    }
+    wait_until([&, waits = 0]() mutable {
+        if (++waits % 100 == 0) frames(1);  // which takes time from the other thread
+        return !app_->is_making_challenge();
+    });
     frames(2);
     ASSERT_EQ(app_->catalogue().worlds.size(), 1u) << last_notice();
     EXPECT_EQ(app_->catalogue().worlds[0].kind, Catalogue::Kind::kChallenge);
@@ -1474,10 +1482,10 @@ class PlayingAgain : public PlayingAChallenge {
         frames(1);
     }
     void wait_for_the_ghost() {
-        for (int i = 0; i < 100 && app_->ghost().version() == 0; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        wait_until([&] {
             frames(1);
-        }
+            return app_->ghost().version() != 0;
+        });
         ASSERT_NE(app_->ghost().version(), 0);
     }
     std::vector<std::uint8_t> ghost() const {
@@ -1603,10 +1611,10 @@ TEST_F(Playing, reads_the_pictures_of_scenes_and_does_without_those_that_are_mis
         scenes.push_back({name, name, folder_.path() / (name + ".toml")});
     ui::ScenePictures pictures;
     pictures.read(scenes);
-    for (int i = 0; i < 5000 && !pictures.of("last"); ++i) {
+    wait_until([&] {
         pictures.upload_if_read();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+        return pictures.of("last").has_value();
+    });
     const auto first = pictures.of("first"), last = pictures.of("last");
     ASSERT_TRUE(first);
     ASSERT_TRUE(last);
@@ -1754,8 +1762,7 @@ TEST_F(Sending, shares_page_and_recording_and_opens_their_folder) {
     EXPECT_FALSE(recording->warning);
     EXPECT_GE(recording->last_tick(), tick);
     EXPECT_GT(std::filesystem::file_size(shared()[0] / "slide.html"), 0u);
-    for (int i = 0; i < 500 && !std::filesystem::exists(opened()); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    wait_until([&] { return std::filesystem::exists(opened()); });
     EXPECT_TRUE(std::filesystem::exists(opened()));
     EXPECT_EQ(*app_->recording(), own);
     tap(Key::kSpace);
