@@ -272,7 +272,7 @@ void Renderer::Parts::compute(const Frame& frame) {
     surface.bind();
     clock.mark(Pass::kSurface);
 
-    // What lies around the block casts shadows on it, and heaps cast shadows too.
+    // The mountains around cast shadows on the block, and heaps cast shadows too.
     if (input.surrounded()) {
         surroundings.survey(*input.surroundings, frame.block);
         surroundings.bind();

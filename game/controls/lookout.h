@@ -15,7 +15,7 @@
 
 namespace game {
 
-// Where the user looks from: the camera, the mountains and woods around the world that it sees, and what lies under the
+// Where the user looks from: the camera, the mountains and woods around the world that it sees, and what is under the
 // cursor. A point of the image runs from −1 (left, bottom) to 1. The world may differ from call to call, its grid not,
 // until enter() is called again. Surroundings are as displayed.
 class Lookout {

@@ -8,7 +8,7 @@
 namespace render {
 
 // The timed passes of a frame, in order, and their names. A new pass is added here, and marked in
-// Renderer::draw() (frame.cpp); logs and pages follow.
+// frame.cpp; logs and pages follow.
 enum class Pass {
     kUpload,   // the world's fields and the coordinates of advected textures
     kRemesh,   // cutting the flow's mesh along its fronts

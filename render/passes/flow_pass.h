@@ -43,8 +43,8 @@ class FlowPass {
     void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
     // Finds where these triangles of the mesh appear, which are all that may show the flow.
     void find(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
-    // Draws those that were found last in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth. Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves
-    // another framebuffer bound.
+    // Draws those that were found last in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth.
+    // Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves another framebuffer bound.
     void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;

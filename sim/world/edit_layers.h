@@ -12,7 +12,7 @@ float room_in(float layer);
 
 // Adds material to a layer, at rest. `of`: kUpper in a world of one material.
 void pour_at(State& state, int x, int y, Layer layer, Part of, float amount);
-// Takes material out of the world; what rolls away carries its share of the momentum.
+// Takes material out of the world, of the rolling layer with its share of the momentum.
 void dig_at(State& state, int x, int y, float from_rolling, float from_standing);
 // Makes standing material roll, from rest.
 void start_at(State& state, int x, int y, float amount);
