@@ -387,7 +387,7 @@ void add_run(CLI::App& app, RunOptions& options) {
                    "write the world as it stands in the end to this file, to play in")
         ->type_name("FILE.couloir");
     app.add_option("--export", options.export_folder,
-                   "write deposit, peak depth and speeds, extent and summary here, and images to DIR/frames")
+                   "write deposit, peak depth and speeds, extent and summary here, for a GIS")
         ->type_name("DIR");
     auto* format =
         app.add_option_function<std::string>(
@@ -408,7 +408,7 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->type_name("RELEASE_ID")
         ->needs(format);
     add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
-                 fmt::format("{}; {} with --export alone", kTicksPerPicture, kTicksPerExportedPicture));
+                 fmt::format("{}", kTicksPerPicture));
     add_web(app, options.web, options.view);
     add_results(app, options.results);
     add_memory(app, options.overrides.memory);
@@ -724,10 +724,6 @@ Outcome<void> check(RunOptions& options) {
         return unusable(fmt::format(
             "--export-name: '{}' is not two parts of letters and digits, separated by one underscore",
             *options.export_name));
-    if (options.export_folder && !options.pictures.folder && !options.iseesnow) {
-        options.pictures.folder = *options.export_folder / "frames";
-        if (!options.pictures.every) options.pictures.every = kTicksPerExportedPicture;
-    }
     return {};
 }
 

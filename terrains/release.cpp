@@ -28,8 +28,10 @@ double vertical_per_normal(const Terrain& terrain, int x, int y) {
     const int west = std::max(x - 1, 0), east = std::min(x + 1, grid.nx - 1);
     const int south = std::max(y - 1, 0), north = std::min(y + 1, grid.ny - 1);
     const double dx = static_cast<double>(grid.dx);
-    return std::hypot(1.0, (height(east, y) - height(west, y)) / (dx * (east - west)),
-                      (height(x, north) - height(x, south)) / (dx * (north - south)));
+    const double along_x = (height(east, y) - height(west, y)) / (dx * (east - west)),
+                 along_y = (height(x, north) - height(x, south)) / (dx * (north - south));
+    return std::sqrt(1 + along_x * along_x +
+                     along_y * along_y);  // the same bits with every mathematics library
 }
 
 double volume(const Terrain& terrain, const std::vector<float>& thickness) {

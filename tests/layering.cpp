@@ -4,7 +4,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/architecture.h"
 #include "tests/support/include_rules.h"
@@ -40,6 +44,50 @@ TEST(Layering, names_the_line_of_a_planted_breach) {
     EXPECT_EQ(breaches[0].file, "sim/step.cpp");
     EXPECT_EQ(breaches[0].line, 3);
     EXPECT_EQ(breaches[0].fact, "sim may not include render/frame.h");
+}
+
+// What a score is made of is the same on every processor only if no function of a mathematics library is in it whose last
+// bits that library chooses: hypot, atan2 and exp of two common ones differ (docs/challenges.md).
+bool is_of_a_score(const std::string& file) {
+    const auto begins = [&](const char* with) { return file.rfind(with, 0) == 0; };
+    return begins("game/analysis/measures.") || begins("game/analysis/score.") ||
+           begins("game/analysis/thing_results.") || begins("game/session/attempt_watch.") ||
+           begins("game/session/peak_watch.") || begins("game/session/session.") ||
+           begins("game/scene/goal") || begins("game/scene/pressure.") || begins("game/scene/surface.") ||
+           begins("sim/world/") || begins("sim/momentum/") || begins("sim/bcre/") || begins("sim/stages/") ||
+           begins("sim/sweep/") || begins("sim/core/") || begins("sim/step") || begins("sim/load_things") ||
+           begins("sim/ground");
+}
+
+std::vector<int> lines_with_library_functions(const std::string& text) {
+    static const std::regex function(
+        R"((std|glm)::(hypot|exp2?|expm1|log(2|10|1p)?|pow|cbrt|a?(sin|cos|tan)h?|atan2)f?\s*\()");
+    std::vector<int> lines;
+    std::istringstream rest(text);
+    std::string line;
+    for (int number = 1; std::getline(rest, line); ++number)
+        if (std::regex_search(line, function)) lines.push_back(number);
+    return lines;
+}
+
+TEST(Scores, are_made_without_functions_whose_last_bits_a_library_chooses) {
+    // Neither is read by a score: what a panel shows, and the check of a scene's numbers.
+    const std::set<std::string> allowed{"sim/world/things.cpp: 1", "sim/world/params.cpp: 1"};
+    std::set<std::string> found;
+    for (const auto& source : support::sources_of(support::source_dir())) {
+        if (!is_of_a_score(source.generic_string())) continue;
+        std::ifstream file(support::source_dir() / source);
+        const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const auto lines = lines_with_library_functions(text);
+        if (!lines.empty()) found.insert(source.generic_string() + ": " + std::to_string(lines.size()));
+    }
+    EXPECT_EQ(found, allowed);
+}
+
+TEST(Scores, are_searched_for_every_such_function) {
+    EXPECT_EQ(lines_with_library_functions("a = std::sqrt(b);\nc = std::hypot(a, b);\n"
+                                           "d = glm::atan(c) + std::atan2(a, b);\ne = exp(Number(d));\n"),
+              (std::vector<int>{2, 3}));
 }
 
 struct Planted {

@@ -1,7 +1,6 @@
 #include "game/analysis/export_iseesnow.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <limits>
 
@@ -11,25 +10,10 @@
 #include "game/base/one_line.h"
 #include "game/base/version.h"
 #include "game/files/text_file.h"
-#include "game/scene/surface.h"
 #include "terrains/export.h"
 
 namespace game {
 namespace {
-
-// Cosine of the slope of the ground at tick 0, at each vertex.
-std::vector<float> cosines(const Scenario& scenario) {
-    const sim::State first = sim::make_state(initial_state_of(scenario), scenario.params);
-    const sim::View world = sim::view(first);
-    std::vector<float> cosines;
-    cosines.reserve(scenario.grid.size());
-    for (int y = 0; y < scenario.grid.ny; ++y)
-        for (int x = 0; x < scenario.grid.nx; ++x) {
-            const glm::vec2 slope = ground_slope(world, x, y);
-            cosines.push_back(1 / std::sqrt(1 + slope.x * slope.x + slope.y * slope.y));
-        }
-    return cosines;
-}
 
 std::vector<float> with_gaps(const Scenario& scenario, std::vector<float> field) {
     for (std::size_t i = 0; i < field.size(); ++i)
@@ -110,16 +94,14 @@ Outcome<void> export_iseesnow(const std::filesystem::path& folder, const std::st
     if (auto made = make_folder(folder); !made) return made;
     const Scenario& scenario = summary.scenario;
     const Peaks& peaks = summary.session.peaks();
-    std::vector<float> thickness = peaks.depth;
-    const std::vector<float> cosine = cosines(scenario);
-    for (std::size_t i = 0; i < thickness.size(); ++i) thickness[i] *= cosine[i];
     const std::string stem = name + "_null_couloir";
     const auto write = [&](const char* what, const std::vector<float>& field) {
         return terrains::write_ascii(folder / fmt::format("{}_{}.asc", stem, what), scenario.grid,
                                      scenario.georeference, with_gaps(scenario, field),
                                      terrains::AsciiStyle::kCentred);
     };
-    if (auto written = write("pft", thickness); !written) return machine_fails(written.error());
+    if (auto written = write("pft", peak_thickness_of(scenario, peaks)); !written)
+        return machine_fails(written.error());
     if (auto written = write("pfv", peaks.speed_slope); !written) return machine_fails(written.error());
     if (!peaks.pressure.empty())
         if (auto written = write("ppr", peaks.pressure); !written) return machine_fails(written.error());

@@ -44,10 +44,12 @@ Outcome<void> export_results(const std::filesystem::path& folder, const Scenario
                              const Session& session, const Summary& summary) {
     if (auto made = make_folder(folder); !made) return made;
     const std::vector<float> deposit = deposit_of(scenario, session.state());
+    const std::vector<float> thickness = peak_thickness_of(scenario, session.peaks());
     const std::vector<float> lower = lower_material_of(session.state());
     std::vector<std::pair<std::string, const std::vector<float>*>> fields{
         {"deposit", &deposit},
         {"peak_depth", &session.peaks().depth},
+        {"peak_thickness", &thickness},
         {"peak_speed_slope", &session.peaks().speed_slope},
         {"peak_speed_plan", &session.peaks().speed_plan}};
     if (session.densities()) fields.emplace_back("peak_pressure", &session.peaks().pressure);

@@ -14,12 +14,12 @@ namespace game {
 
 // Names of the files that export_results() writes, with * for any characters.
 inline const std::vector<std::string> kExportedNames{
-    "deposit.*",       "peak_depth.*",     "peak_speed_slope.*", "peak_speed_plan.*",
-    "peak_pressure.*", "lower_material.*", "extent.geojson",     "summary.json"};
+    "deposit.*",       "peak_depth.*",     "peak_thickness.*", "peak_speed_slope.*", "peak_speed_plan.*",
+    "peak_pressure.*", "lower_material.*", "extent.geojson",   "summary.json"};
 
-// Writes an avalanche's results for a GIS. GeoTIFF and ESRI ASCII: deposit, peak depth, peak speed along
-// the slope and in plan, peak impact pressure (kPa) if densities are known, and, if there are two materials, how much of the lower one was moved. GeoJSON: the extent's outline. Also
-// summary.json. Errors: a file cannot be written (status 3).
+// Writes an avalanche's results for a GIS. GeoTIFF and ESRI ASCII: deposit and peak depth (vertical m), peak thickness
+// (m normal to the slope), peak speed along the slope and in plan, peak impact pressure (kPa) if densities are known, and,
+// if there are two materials, how much of the lower one was moved. GeoJSON: the extent's outline. Also summary.json. Errors: a file cannot be written (status 3).
 Outcome<void> export_results(const std::filesystem::path& folder, const Scenario& scenario,
                              const Session& session, const Summary& summary);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/scene/surface.h"
+#include "sim/core/angle.h"
 #include "sim/world/disc.h"
 #include "sim/world/on_ground.h"
 
@@ -11,6 +13,12 @@ namespace {
 
 std::size_t index(const sim::Grid& grid, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+}
+
+// m, in plan.
+double distance(terrains::LocalPoint from, terrains::LocalPoint to) {
+    const double x = to.x - from.x, y = to.y - from.y;
+    return std::sqrt(x * x + y * y);
 }
 
 double ground_height(const Scenario& scenario, std::size_t i) {
@@ -39,14 +47,13 @@ void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& rel
             const std::size_t i = index(grid, x, y);
             if (!extent[i]) continue;
             const auto here = place(x, y);
-            const double away = std::hypot(here.x - measures.top.x, here.y - measures.top.y);
+            const double away = distance(here, measures.top);
             if (away <= measures.run_out) continue;
             measures.run_out = away;
             measures.fall = top_height - ground_height(scenario, i);
             measures.toe = here;
         }
-    if (measures.run_out > 0)
-        measures.reach_deg = std::atan2(measures.fall, measures.run_out) * 180 / 3.14159265358979323846;
+    if (measures.run_out > 0) measures.reach_deg = sim::degrees_of_slope(measures.fall, measures.run_out);
 }
 
 // How much the surface was raised at each vertex.
@@ -76,7 +83,7 @@ Measures::Change measure_change(const sim::Grid& grid, const std::vector<float>&
             part.volume += volume, part.x += volume * x * dx, part.y += volume * y * dx;
         }
     const auto from = lowered.middle(), to = raised.middle();
-    return {raised.volume, from, to, std::hypot(to.x - from.x, to.y - from.y)};
+    return {raised.volume, from, to, distance(from, to)};
 }
 
 std::vector<std::uint8_t> changed(const std::vector<float>& change) {
@@ -120,6 +127,7 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
                 static_cast<double>(session.state().depth(x, y)) - static_cast<double>(scenario.depth[i]);
             (change < 0 ? measures.eroded : measures.deposited) += std::fabs(change) * cell;
         }
+    measures.peak_thickness = std::ranges::max(peak_thickness_of(scenario, peaks));
     if (!peaks.pressure.empty())
         measures.peak_pressure = *std::max_element(peaks.pressure.begin(), peaks.pressure.end());
     if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
@@ -127,10 +135,24 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
         const std::vector<float> change = change_of(scenario, session.state());
         measures.overlap = overlap_of(changed(change), changed(reference.change));
         const auto here = measure_change(grid, change), observed = measure_change(grid, reference.change);
-        measures.changes = {here, observed, std::hypot(here.to.x - observed.to.x, here.to.y - observed.to.y)};
+        measures.changes = {here, observed, distance(here.to, observed.to)};
     }
     measure_line(scenario, released, extent, measures);
     return measures;
+}
+
+std::vector<float> peak_thickness_of(const Scenario& scenario, const Peaks& peaks) {
+    const sim::State first = sim::make_state(initial_state_of(scenario), scenario.params);
+    const sim::View world = sim::view(first);
+    std::vector<float> thickness = peaks.depth;
+    std::size_t i = 0;
+    for (int y = 0; y < scenario.grid.ny; ++y)
+        for (int x = 0; x < scenario.grid.nx; ++x, ++i) {
+            if (thickness[i] == 0) continue;
+            const glm::vec2 slope = ground_slope(world, x, y);
+            thickness[i] /= std::sqrt(1 + slope.x * slope.x + slope.y * slope.y);
+        }
+    return thickness;
 }
 
 std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const TimedCommand> commands) {

@@ -12,13 +12,15 @@
 
 namespace game {
 
-// An avalanche's measures, in the field's terms. The extent is the
-// area where the rolling layer was ever at least kExtentDepth deep.
+// An avalanche's measures, in the field's terms. The extent is the area where the rolling layer was ever at least
+// kExtentDepth deep. Scores are made of them, so no function of a mathematics library may differ in them: arithmetic and
+// square roots alone.
 struct Measures {
     static constexpr float kExtentDepth = 0.1f;  // m
 
     double extent_area = 0;                            // m², in plan
-    double peak_depth = 0;                             // m
+    double peak_depth = 0;                             // m, vertical
+    double peak_thickness = 0;                         // m, normal to the slope: see peak_thickness_of()
     double peak_speed_slope = 0, peak_speed_plan = 0;  // m/s, along the slope and in plan
     std::optional<double> peak_pressure;               // kPa; nothing if a density is unknown
     double eroded = 0, deposited = 0;  // m³ by which the standing layer was lowered and raised
@@ -50,6 +52,10 @@ struct Measures {
 // `released`: the area from release_area().
 Measures measure(const Scenario& scenario, const Session& session, const std::vector<std::uint8_t>& released,
                  const terrains::Reference& reference);
+
+// The greatest thickness of the rolling layer at each vertex so far, m, normal to the slope of the ground as it was at
+// tick 0: the unit of AvaFrame, RAMMS and ISeeSnow.
+std::vector<float> peak_thickness_of(const Scenario& scenario, const Peaks& peaks);
 
 // 1 at each vertex of the scenario's release and under each command that adds or releases material. A command that
 // chooses slopes is taken on those of tick 0.

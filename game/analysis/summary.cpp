@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/release_report.h"
-#include "game/analysis/thing_results.h"
+#include "game/analysis/thing_report.h"
 #include "game/analysis/trace.h"
 #include "game/base/print.h"
 #include "game/base/version.h"
@@ -39,6 +39,7 @@ Json measures_json(const Summary& summary) {
               {"reach_deg", m.reach_deg},
               {"extent_ha", m.extent_area / 1e4},
               {"peak_depth_m", m.peak_depth},
+              {"peak_thickness_m", m.peak_thickness},
               {"peak_speed_slope_m_s", m.peak_speed_slope},
               {"peak_speed_plan_m_s", m.peak_speed_plan},
               {"eroded_m3", m.eroded},
@@ -181,8 +182,9 @@ std::string to_text(const Summary& summary) {
                                            : ", NOT yet at rest");
     if (m.run_out > 0) {
         text += fmt::format(
-            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha, up to {:.1f} m deep\n",
-            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth);
+            "run-out {:.0f} m, fall {:.0f} m, reach {:.1f} deg; extent {:.2f} ha\n"
+            "up to {:.1f} m deep, {:.1f} m thick normal to the slope\n",
+            m.run_out, m.fall, m.reach_deg, m.extent_area / 1e4, m.peak_depth, m.peak_thickness);
         text += fmt::format("peak speed {:.1f} m/s along the slope, {:.1f} m/s in plan\n", m.peak_speed_slope,
                             m.peak_speed_plan);
         if (m.peak_pressure)

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-
-#include "game/recording/format.h"
-#include "game/scene/scenario.h"
 #include "game/session/session.h"
 
 namespace game {
@@ -19,9 +15,9 @@ struct ThingResults {
 // The world of `session` must have things.
 ThingResults thing_results(const Session& session);
 
-// As part of a summary: every object with its place, strength, load, burial and state, and the results.
-Json things_to_json(const Scenario& scenario, const Session& session);
-// Some lines: buildings and pylons that are not intact, or all if there are few; nets and roads together.
-std::string things_to_text(const Scenario& scenario, const Session& session);
+// m, of an object that is a line.
+double length_of(const sim::Thing& line);
+// m of a piece of road, sampled every quarter of a cell.
+double blocked_of(const sim::State& world, const sim::Thing& road);
 
 }  // namespace game

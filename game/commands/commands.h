@@ -25,7 +25,7 @@ namespace game {
 // standard output. Each function returns its exit status, or the reason why it ended early.
 
 // Ticks between two images unless --every says otherwise: of --frames, and of --export without --frames.
-inline constexpr std::int64_t kTicksPerPicture = 60, kTicksPerExportedPicture = 600;
+inline constexpr std::int64_t kTicksPerPicture = 60;
 
 struct PictureOptions {
     std::optional<std::filesystem::path> folder;

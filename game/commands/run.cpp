@@ -41,7 +41,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     use.writes("--record", options.record);
     use.writes("--save-world", options.save_world);
     use.writes_into("--export", options.export_folder, options.iseesnow ? kIseesnowNames : kExportedNames);
-    use.writes_into(options.export_folder ? "--export" : "--frames", options.pictures.folder, kFrameNames);
+    use.writes_into("--frames", options.pictures.folder, kFrameNames);
     return use;
 }
 

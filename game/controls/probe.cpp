@@ -92,11 +92,13 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     const glm::dvec2 rise = gradient(world, square);
     reading.slope_deg = glm::degrees(std::atan(glm::length(rise)));
     reading.aspect_deg = aspect(rise);
+    const glm::dvec2 ground = slope_of_ground(world, square);
+    reading.thickness = reading.rolling / std::sqrt(1 + glm::dot(ground, ground));
     // A layer too thin to see has no visible speed, even between vertices of a fast flow.
     if (reading.rolling >= static_cast<double>(Peaks::kVisible)) {
         const glm::dvec2 velocity(between(square, world.velocity_x), between(square, world.velocity_y));
         reading.speed_plan = glm::length(velocity);
-        reading.speed_slope = speed_along_slope(velocity, slope_of_ground(world, square));
+        reading.speed_slope = speed_along_slope(velocity, ground);
     }
 
     const int x = square.x + (square.across.x >= 0.5), y = square.y + (square.across.y >= 0.5);

@@ -21,7 +21,8 @@ struct Reading {
     double slope_deg = 0;  // of the surface
     // Downslope direction: 0 north, 90 east, below 360; nothing if the slope is gentler than 1 in 1000.
     std::optional<double> aspect_deg;
-    double standing = 0, rolling = 0;  // m
+    double standing = 0, rolling = 0;  // m, vertical
+    double thickness = 0;              // m, of the rolling layer, normal to the slope of the ground
     // m/s, of the rolling layer, along the slope of the ground and in plan; 0 if it is thinner than
     // Peaks::kVisible.
     double speed_slope = 0, speed_plan = 0;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "sim/initial_state.h"
 #include "sim/world/quanta.h"
@@ -78,7 +80,7 @@ class Reachable {
         const auto up_to = [](double most, std::string why) { return Bounds{0, most, std::move(why)}; };
         switch (quantity.measure) {
             case Measure::kRunOut: {
-                const double across = std::hypot(size().x, size().y);
+                const double across = glm::length(glm::dvec2(size().x, size().y));
                 return up_to(across, fmt::format("the terrain is {:.0f} m across", across));
             }
             case Measure::kDrop: {
@@ -138,7 +140,7 @@ class Reachable {
         double road = most_of(sim::CommandKind::kRoad, sim::kLongestLine);
         for (const sim::Thing& thing : objects())
             if (thing.kind == sim::ThingKind::kRoad)
-                road += std::hypot(thing.to_x - thing.x, thing.to_y - thing.y);
+                road += glm::distance(glm::dvec2(thing.x, thing.y), glm::dvec2(thing.to_x, thing.to_y));
         return road;
     }
     double most_forest() const {

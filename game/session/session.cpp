@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "game/recording/command_source.h"
-#include "game/scene/surface.h"
 
 namespace game {
 namespace {
@@ -32,15 +30,12 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options)
     : state_(sim::make_state(initial_state_of(scenario), scenario.params)),
       engine_(std::make_unique<sim::Engine>(state_, options)),
       densities_(densities_of(scenario)),
+      peaks_(state_, densities_),
       structures_(view()) {
-    peaks_.depth.assign(state_.grid.size(), 0.f);
-    peaks_.speed_plan.assign(state_.grid.size(), 0.f);
-    peaks_.speed_slope.assign(state_.grid.size(), 0.f);
-    if (densities_) peaks_.pressure.assign(state_.grid.size(), 0.f);
     line_.before.reserve(kTicksPerState);
     if (scenario.goal) try_.emplace(*scenario.goal, state_.params.tick_s);
     find_hash();
-    watch();
+    peaks_.see(state_);
 }
 
 Outcome<Session> Session::begin(const Scenario& scenario, const sim::StepOptions& options,
@@ -84,7 +79,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
             fmt::format("tick {}: mass not conserved: {} m3; layers deeper than {} m are not counted exactly",
                         state_.tick, cubic_metres(error), sim::kDeepest)});
     times_.peaks_ms = ms_of([&] {
-        watch();
+        peaks_.see(state_);
         if (try_) try_->see(state_, !commands.empty());
         if (!rests) watch_structures();
         if (powder_) advance_powder(commands, rests);
@@ -131,8 +126,7 @@ Outcome<void> Session::claim(const ClaimLine& line) {
 }
 
 Session::Checkpoint Session::moment() const {
-    Checkpoint moment{
-        sim::take_snapshot(state_), std::nullopt, {}, peaks_, active_cells_, try_, line_, std::nullopt};
+    Checkpoint moment{sim::take_snapshot(state_), std::nullopt, {}, peaks(), try_, line_, std::nullopt};
     if (powder_) moment.powder.assign(powder_->puffs().begin(), powder_->puffs().end());
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
@@ -157,9 +151,9 @@ void Session::put(const Checkpoint& moment) {
     sim::restore(moment.world, state_);
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     if (powder_) powder_->restore(moment.powder);
-    peaks_ = moment.peaks;
+    peaks_.go_on(moment.peaks);
+    peaks_.see(state_);
     watch_structures();
-    active_cells_ = moment.active_cells;
     try_ = moment.challenge;
     line_ = moment.line;
     changed_at_ = state_.tick;
@@ -232,34 +226,6 @@ void Session::advance_fronts() {
     times_.track_ms = ms_of([&] { fronts_->track(view(), tick_s, engine_->workers); });
     times_.advect_ms = ms_of([&] { fronts_->carry(tick_s, engine_->workers); });
     times_.gradient_ms = ms_of([&] { fronts_->settle(tick_s, engine_->workers); });
-}
-
-void Session::watch() {
-    active_cells_ = 0;
-    const sim::View world = view();
-    const auto nx = static_cast<std::size_t>(state_.grid.nx);
-    for (int y = 0; y < state_.grid.ny; ++y) {
-        const float* rolling = state_.rolling.row(y);
-        const float *u = state_.velocity_x.row(y), *v = state_.velocity_y.row(y);
-        float* depth = peaks_.depth.data() + static_cast<std::size_t>(y) * nx;
-        float* plan = peaks_.speed_plan.data() + static_cast<std::size_t>(y) * nx;
-        float* slope = peaks_.speed_slope.data() + static_cast<std::size_t>(y) * nx;
-        for (std::size_t x = 0; x < nx; ++x) {
-            if (rolling[x] == 0) continue;
-            ++active_cells_;
-            depth[x] = std::max(depth[x], rolling[x]);
-            if (rolling[x] < Peaks::kVisible || (u[x] == 0 && v[x] == 0)) continue;
-            const int column = static_cast<int>(x);
-            const double along = speed_along_slope({u[x], v[x]}, ground_slope(world, column, y));
-            plan[x] = std::max(plan[x], std::hypot(u[x], v[x]));
-            slope[x] = std::max(slope[x], static_cast<float>(along));
-            if (!densities_) continue;
-            float& pressure = peaks_.pressure[static_cast<std::size_t>(y) * nx + x];
-            const double share =
-                world.mixture ? static_cast<double>(sim::share_in_rolling(world, column, y)) : 0;
-            pressure = std::max(pressure, static_cast<float>(impact_pressure(densities_->of(share), along)));
-        }
-    }
 }
 
 }  // namespace game

@@ -12,6 +12,7 @@
 #include "game/scene/scenario.h"
 #include "game/scene/structures.h"
 #include "game/session/attempt_watch.h"
+#include "game/session/peak_watch.h"
 #include "game/session/world_fronts.h"
 #include "render/view/flow_so_far.h"
 #include "sim/engine.h"
@@ -30,15 +31,6 @@ struct TickTimes {
     double peaks_ms = 0;  // per-vertex maxima; count of moving vertices; powder
 };
 
-// Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world.
-struct Peaks {
-    std::vector<float> depth;                 // m, of the rolling layer
-    std::vector<float> speed_plan;            // m/s, where that layer was at least kVisible deep
-    std::vector<float> speed_slope;           // m/s, the same along the slope of the ground
-    std::vector<float> pressure;              // kPa, impact pressure; empty if a density is unknown
-    static constexpr float kVisible = 0.01f;  // m
-};
-
 // Plays a world, with or without a window: commands in, views out. Records each command, if there is a
 // recorder, then applies it.
 class Session {
@@ -49,7 +41,6 @@ class Session {
         std::optional<sim::front::TextureLayers::Memory> textures;
         std::vector<sim::powder::Puff> powder;
         Peaks peaks;
-        std::size_t active_cells = 0;
         std::optional<AttemptWatch> challenge;
         StateLine line;
         std::optional<Recorder::Mark> mark;
@@ -115,8 +106,8 @@ class Session {
     const sim::State& state() const { return state_; }
     // The last tick that changed the fields or the powder. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
-    const Peaks& peaks() const { return peaks_; }
-    render::FlowSoFar flow_so_far() const { return {peaks_.depth, peaks_.speed_plan}; }
+    const Peaks& peaks() const { return peaks_.peaks(); }
+    render::FlowSoFar flow_so_far() const { return {peaks().depth, peaks().speed_plan}; }
     // What people have built, as the flow has left it.
     const render::Structures& structures() const { return structures_.structures(); }
     const std::optional<Densities>& densities() const { return densities_; }
@@ -128,7 +119,7 @@ class Session {
     // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:
     // the recording cannot be written.
     Outcome<void> claim(const ClaimLine& line);
-    std::size_t active_cells() const { return active_cells_; }  // vertices whose rolling layer is not empty
+    std::size_t active_cells() const { return peaks_.active_cells(); }
     double seconds() const {
         return static_cast<double>(state_.tick) * static_cast<double>(state_.params.tick_s);
     }
@@ -140,7 +131,6 @@ class Session {
     void put(const Checkpoint& moment);
     bool lacks_state() const;
     Outcome<void> write_state();
-    void watch();
     void watch_structures() { structures_.watch(view()); }
     void advance_fronts();
     void advance_powder(std::span<const sim::Command> commands, bool rests);
@@ -151,12 +141,11 @@ class Session {
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<WorldFronts> fronts_;
     std::optional<sim::powder::Cloud> powder_;
-    Peaks peaks_;
     std::optional<Densities> densities_;
+    PeakWatch peaks_;
     StructureWatch structures_;
     std::optional<AttemptWatch> try_;  // of a challenge
     TickTimes times_;
-    std::size_t active_cells_ = 0;
     std::int64_t changed_at_ = 0;
     StateLine line_;
     std::int64_t recorded_until_ = 0;  // tick

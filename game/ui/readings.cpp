@@ -84,6 +84,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
         widgets.fact("Faces", "level");
     widgets.fact("Standing", "%.2f m", reading.standing);
     widgets.fact("Rolling", "%.2f m", reading.rolling);
+    if (reading.rolling > 0) widgets.fact("Thickness", "%.2f m", reading.thickness);
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
                      title_in(facts.catalogue.materials, facts.scenario.lower->material));

@@ -15,6 +15,7 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
       uncounted(awake),
       mass(awake.size()),
       unhashed(awake),
+      unseen(awake),
       unsmoothed(awake) {
     CHECK(width > 0 && height > 0 && width % (2 * kRowPadding) == 0);
 }
@@ -22,6 +23,7 @@ Tiles::Tiles(const Grid& grid, int tile_width, int tile_height)
 void Tiles::open(int first_column, int last_column, int first_row, int last_row) {
     mark(uncounted, first_column, last_column, first_row, last_row);
     mark(unhashed, first_column, last_column, first_row, last_row);
+    mark(unseen, first_column, last_column, first_row, last_row);
 }
 
 void Tiles::open_all() {

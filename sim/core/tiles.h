@@ -38,6 +38,8 @@ struct Tiles {
     std::vector<std::uint8_t> uncounted;
     std::vector<Mass> mass;
     std::vector<std::uint8_t> unhashed;
+    // Written since whoever watches the world last looked (cleared by the watcher; there is at most one).
+    std::vector<std::uint8_t> unseen;
     // Ground may have changed there since it was last smoothed (momentum/smooth_ground.h).
     std::vector<std::uint8_t> unsmoothed;
 

@@ -1,11 +1,15 @@
 #include "game/analysis/measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "game/recording/command_source.h"
+#include "game/scene/scene.h"
 #include "game/session/session.h"
 
 namespace game::test {
@@ -55,6 +59,7 @@ TEST(Measures, match_manual_calculation) {
     EXPECT_DOUBLE_EQ(*m.overlap, 2.0 / 4);
     EXPECT_DOUBLE_EQ(m.eroded, 0);
     EXPECT_DOUBLE_EQ(m.deposited, 0);
+    EXPECT_NEAR(m.peak_thickness, 2.5 / std::sqrt(1 + 0.5 * 0.5), 1e-6) << "5 m on 10 m";
 }
 
 // A slab on a plane of 45° under voellmy, whose velocity in plan goes straight down the plane.
@@ -91,6 +96,51 @@ TEST(Measures, of_pressure_are_density_times_the_square_of_the_speed_along_the_s
     EXPECT_GT(*m.peak_pressure, 0.1);
     EXPECT_NEAR(*m.peak_pressure, 250 * m.peak_speed_slope * m.peak_speed_slope / 1000,
                 1e-6 * *m.peak_pressure);
+}
+
+// Tiles sleep, wake and are poured on, and the world goes back in time: no vertex is missed.
+TEST(Peaks, found_by_tiles_are_those_of_every_vertex) {
+    const Scene scene = load_scene("landslide", {}).value();
+    Session session =
+        Session::begin(scene.scenario, {.tile_width = 32, .tile_height = 8}, std::nullopt).value();
+    const sim::Grid& grid = scene.scenario.grid;
+    std::vector<float> deepest(grid.size()), fastest(grid.size());
+    const auto see = [&] {
+        std::size_t active = 0, i = 0;
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x, ++i) {
+                const sim::State& now = session.state();
+                const float u = now.velocity_x(x, y), v = now.velocity_y(x, y), r = now.rolling(x, y);
+                active += r > 0;
+                deepest[i] = std::max(deepest[i], r);
+                if (r >= Peaks::kVisible) fastest[i] = std::max(fastest[i], std::sqrt(u * u + v * v));
+            }
+        ASSERT_EQ(session.active_cells(), active) << "tick " << session.state().tick;
+        ASSERT_EQ(session.peaks().depth, deepest) << "tick " << session.state().tick;
+        ASSERT_EQ(session.peaks().speed_plan, fastest) << "tick " << session.state().tick;
+    };
+    sim::Command pour;
+    pour.kind = sim::CommandKind::kPour;
+    pour.x = 12, pour.y = 150, pour.radius = 6, pour.rate = 2, pour.duration = 0.5;
+    std::optional<Session::Checkpoint> then;
+    std::vector<float> deepest_then, fastest_then;
+    see();
+    for (int tick = 0; tick < 240; ++tick) {
+        if (tick == 60) then = session.moment(), deepest_then = deepest, fastest_then = fastest;
+        if (tick == 180) {
+            ASSERT_TRUE(session.rewind(*then));
+            deepest = deepest_then, fastest = fastest_then;
+            see();
+        }
+        std::vector<sim::Command> due;
+        if (tick % 40 == 20) due.push_back(pour);
+        for (const TimedCommand& each : commands_at(scene.commands, session.state().tick))
+            due.push_back(each.command);
+        ASSERT_TRUE(session.advance(due));
+        see();
+        pour.x += 15;
+    }
+    EXPECT_GT(std::ranges::max(fastest), 1) << "nothing moved";
 }
 
 TEST(Densities, are_known_only_if_every_material_has_one_and_mix_by_volume) {

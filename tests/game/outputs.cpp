@@ -93,7 +93,7 @@ TEST_F(Outputs, never_replace_an_input) {
 // An input with the name of an image, an export or a page. Refused before anything is drawn, so this needs no GL.
 TEST_F(Outputs, that_are_drawn_never_replace_an_input) {
     const std::map<std::string, fs::path> names{
-        {"--frames", "tick_000000.png"}, {"--export", "frames/tick_000000.png"}, {"--out", "index.html"}};
+        {"--frames", "tick_000000.png"}, {"--export", "summary.json"}, {"--out", "index.html"}};
     for (const Subcommand& each : all())
         for (const std::string& option : each.drawn)
             for (const fs::path& input : each.inputs) {

@@ -5,6 +5,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/analysis/summary.h"
+#include "game/analysis/thing_report.h"
 #include "game/scene/standing.h"
 
 namespace game::test {

@@ -102,7 +102,6 @@ TEST(Memory, that_is_too_little_for_the_images_is_refused_with_both_figures) {
         {"play", "alpine-valley"},
         {"play", "landslide.couloir"},
         {"run", "landslide", "--grid", "64", "--seconds", "0", "--frames", out},
-        {"run", "landslide", "--grid", "64", "--seconds", "0", "--export", out},
         {"run", "flow-disc", "--seconds", "0", "--frames", out},
         {"replay", "landslide", "--frames", out},
         {"bench", "landslide", "--ticks", "1"}};

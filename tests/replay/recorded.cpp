@@ -1,4 +1,4 @@
-// The shipped recordings, played, verified and recorded again with the parts that build on every processor:
+// The shipped recordings, played, verified, scored and recorded again with the parts that build on every processor:
 // no window, no images, no GDAL. Prints the final hash, to compare with another processor's.
 #include <algorithm>
 #include <cstdio>
@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/analysis/score.h"
 #include "game/recording/reader.h"
 #include "game/recording/recorder.h"
 #include "game/session/session.h"
@@ -83,6 +84,35 @@ INSTANTIATE_TEST_SUITE_P(Recordings, Recorded,
                              std::replace(text.begin(), text.end(), '-', '_');
                              return text;
                          });
+
+// A hut, a forest and a pit: loads, lengths and volumes come from other code each.
+TEST(Challenge, scores_what_its_recording_claims_on_every_processor) {
+    for (const char* name :
+         {"hut-on-the-rib_won", "plant-the-forest_won", "quarry_won", "open-at-five_won"}) {
+        const auto recording =
+            read_recording(support::source_dir() / "tests" / "challenges" / (std::string(name) + ".couloir"))
+                .value();
+        const Scenario& scenario = recording.header.scenario;
+        Session session = Session::begin(scenario, {}, std::nullopt).value();
+        Referee referee(scenario, recording.commands);
+        std::vector<sim::Command> due;
+        while (session.state().tick < recording.last_tick()) {
+            due.clear();
+            for (const TimedCommand& each : commands_at(recording.commands, session.state().tick))
+                due.push_back(each.command);
+            expect_done(session.advance(due));
+            referee.see(session);
+        }
+        const auto score = referee.decide();
+        ASSERT_TRUE(score) << name << ": " << score.error().sentence;
+        ASSERT_TRUE(recording.claim) << name;
+        EXPECT_EQ(score->claim(), *recording.claim) << name;
+        const Measures& m = score->measures;
+        std::printf("%s %lld; %.17g m, %.17g m, %.17g deg, %.17g m/s\n", name,
+                    static_cast<long long>(score->points), m.run_out, m.peak_thickness, m.reach_deg,
+                    m.peak_speed_slope);
+    }
+}
 
 }  // namespace
 }  // namespace game

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/angle.h"
 #include "sim/core/number_text.h"
 #include "sim/simd/exponential.h"
 #include "sim/world/params.h"
@@ -29,6 +30,16 @@ TEST(Exponential, minus_one_is_precise_for_small_arguments) {
         const double expm1 = static_cast<double>(sim::expm1_small(static_cast<float>(x)));
         ASSERT_LE(std::fabs(expm1 - std::expm1(static_cast<float>(x))), 2.2e-6 * std::fabs(x)) << x;
     }
+}
+
+TEST(Angle, of_a_slope_is_that_of_atan2_within_two_ulps) {
+    for (double rise = -1000; rise <= 1000; rise += 0.731)
+        for (const double run : {1e-3, 0.7, 20.0, 2680.0}) {
+            const double exact = std::atan2(rise, run) * (180 / 3.14159265358979323846);
+            ASSERT_NEAR(sim::degrees_of_slope(rise, run), exact, 8e-16 * std::fabs(exact))
+                << rise << " " << run;
+        }
+    EXPECT_EQ(sim::degrees_of_slope(0, 5), 0);
 }
 
 TEST(Minmod, follows_its_definition_and_lanes_are_bit_identical_to_scalars) {

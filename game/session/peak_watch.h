@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "game/scene/pressure.h"
+#include "sim/world/state.h"
+
+namespace game {
+
+// Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world. A score is made of them, so
+// they are the same on every processor and with every mathematics library.
+struct Peaks {
+    std::vector<float> depth;                 // m, of the rolling layer
+    std::vector<float> speed_plan;            // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_slope;           // m/s, the same along the slope of the ground
+    std::vector<float> pressure;              // kPa, impact pressure; empty if a density is unknown
+    static constexpr float kVisible = 0.01f;  // m
+};
+
+// Finds the maxima of a world. Costs what the tiles cost that were written since the last look and where anything rolls.
+class PeakWatch {
+  public:
+    PeakWatch(const sim::State& state, const std::optional<Densities>& densities);
+
+    // Looks at a world, at its start and after every tick; takes note in the world's tiles of what was looked at.
+    void see(sim::State& state);
+    // Goes on from maxima found earlier.
+    void go_on(const Peaks& peaks) { peaks_ = peaks; }
+
+    const Peaks& peaks() const { return peaks_; }
+    // Vertices whose rolling layer was not empty at the last look.
+    std::size_t active_cells() const { return active_cells_; }
+
+  private:
+    std::size_t see_tile(const sim::View& world, int x0, int x1, int y0, int y1);
+
+    Peaks peaks_;
+    std::optional<Densities> densities_;
+    std::vector<std::size_t> active_in_tile_;
+    std::size_t active_cells_ = 0;
+};
+
+}  // namespace game
