@@ -379,8 +379,12 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_material_and_model(app, options.overrides);
     add_set(app, options.overrides);
     add_references(app, options.overrides);
-    app.add_flag("--until-rest", options.until_rest,
-                 "stop when nothing moves, or after --seconds [3600], whichever is first");
+    app.add_flag(
+        "--until-rest", options.until_rest,
+        "stop when the kinetic energy has fallen to 1 % of its greatest since the last command, as com1DFA "
+        "does, or nothing moves, or after --seconds [3600], whichever is first");
+    app.add_flag("--until-still", options.until_still,
+                 "stop only when nothing moves any more, not even a creep, or after --seconds [3600]");
     add_number(app, "--seconds", "S", options.seconds, kSeconds, "simulate this much time");
     app.add_option("--record", options.record, "write the recording to this file")->type_name("FILE.couloir");
     app.add_option("--save-world", options.save_world,
@@ -705,7 +709,10 @@ Outcome<void> check(RunOptions& options) {
         return unusable("--accept-loss needs --release FILE, of which something may be lost");
     if (options.terrain && !options.release)
         return unusable("--terrain needs --release FILE; without it no material would move");
-    if (!options.until_rest && !options.seconds) return unusable("run needs --until-rest or --seconds S");
+    if (options.until_rest && options.until_still)
+        return unusable("run accepts --until-rest or --until-still, not both");
+    if (!options.until_rest && !options.until_still && !options.seconds)
+        return unusable("run needs --until-rest, --until-still or --seconds S");
     if (options.iseesnow) {
         if (!options.export_folder) return unusable("--export-format needs --export DIR");
         if (!options.terrain)

@@ -47,9 +47,9 @@ std::string configuration(const std::filesystem::path& release, const Summary& s
     text += fmt::format("\n[INPUT]\nterrain = {}\nrelease = {}\n", one_line(scenario.terrain),
                         one_line(release.filename().string()));
     text += fmt::format(
-        "\n[RESULT]\nflow_time_s = {:.2f}\nat_rest = {}\nvolume_first_m3 = {:.1f}\n"
+        "\n[RESULT]\nflow_time_s = {:.2f}\nended_by = {}\nvolume_first_m3 = {:.1f}\n"
         "volume_last_m3 = {:.1f}\nvolume_out_m3 = {:.1f}\nspeed_limited = {}\nstate_hash = {}\n",
-        summary.session.seconds(), sim::at_rest(summary.session.state()),
+        summary.session.seconds(), to_string(summary.ended.value_or(Ended::kTick)),
         summary.session.cubic_metres(summary.session.state().ledger.initial), volume(summary.session),
         summary.session.cubic_metres(summary.session.state().ledger.out), summary.session.state().limited,
         hex(summary.session.state_line().hash));

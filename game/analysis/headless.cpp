@@ -26,15 +26,36 @@ void report(Progress& progress, const Session& session, const Until& until) {
 
 }  // namespace
 
-Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
-                            const Watchers& watchers, const std::string& what) {
+std::string_view to_string(Ended ended) {
+    switch (ended) {
+        case Ended::kTick:
+            return "time";
+        case Ended::kEnergy:
+            return "energy";
+        case Ended::kStill:
+            return "rest";
+        case Ended::kLimit:
+            break;
+    }
+    return "limit";
+}
+
+Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
+                             const Watchers& watchers, const std::string& what) {
     Progress progress(what);
     CommandSource source;
-    const auto done = [&] {
-        const std::int64_t tick = session.state().tick;
-        return (until.tick && tick >= *until.tick) ||
-               (until.rest && tick > 0 && commands_from(commands, tick).empty() &&
-                sim::at_rest(session.state()));
+    std::int64_t greatest_energy = 0;  // since the last command
+    const auto ended = [&]() -> std::optional<Ended> {
+        const sim::State& state = session.state();
+        if (until.tick && state.tick >= *until.tick) return Ended::kTick;
+        if (until.rest == Until::Rest::kNone || state.tick == 0 ||
+            !commands_from(commands, state.tick).empty())
+            return std::nullopt;
+        if (sim::at_rest(state)) return Ended::kStill;
+        const bool may_end =
+            until.rest == Until::Rest::kEnergy && state.running_commands.empty() && !session.is_in_try();
+        if (may_end && session.energy() < greatest_energy / Until::kEnergyFallsBy) return Ended::kEnergy;
+        return std::nullopt;
     };
     const auto draw = [&]() -> render::DrawTimes {
         return watchers.gallery->draw(session, picture_name(session.state().tick));
@@ -44,16 +65,19 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
     using Milliseconds = std::chrono::duration<double, std::milli>;
     const auto began = Clock::now();
     if (watchers.gallery) draw();
-    while (!done()) {
+    std::optional<Ended> end = ended();
+    while (!end) {
         const std::int64_t tick = session.state().tick;
-        if (tick >= until.most_ticks) return false;
+        if (tick >= until.most_ticks) return Ended::kLimit;
 
         const auto before = Clock::now();
-        if (auto advanced = session.advance(source.due(session.state(), commands)); !advanced)
-            return tl::unexpected(advanced.error());
+        const std::span<const sim::Command> due = source.due(session.state(), commands);
+        if (auto advanced = session.advance(due); !advanced) return tl::unexpected(advanced.error());
+        greatest_energy = due.empty() ? std::max(greatest_energy, session.energy()) : session.energy();
+        end = ended();
         std::optional<PerfRow> row;
         if (watchers.perf) row = perf_row(session);
-        if (watchers.gallery && (done() || (tick + 1) % watchers.ticks_per_picture == 0)) {
+        if (watchers.gallery && (end || (tick + 1) % watchers.ticks_per_picture == 0)) {
             const render::DrawTimes times = draw();
             if (row) row->ms.add(times);
         }
@@ -68,7 +92,7 @@ Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> comm
             if (auto kept = watchers.keep(session); !kept) return tl::unexpected(kept.error());
         report(progress, session, until);
     }
-    return true;
+    return *end;
 }
 
 }  // namespace game

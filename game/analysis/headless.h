@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
@@ -16,16 +17,36 @@ namespace game {
 
 // When to stop a world without a window.
 struct Until {
-    std::optional<std::int64_t> tick;        // after this many ticks
-    bool rest = false;                       // or when nothing moves and no command is left
+    // Or earlier, once no command is left or running:
+    enum class Rest {
+        kNone,
+        // and the try, if there is a goal, has ended, and the kinetic energy has fallen to 1 % of its greatest since the
+        // last command; or as kStill
+        kEnergy,
+        kStill,  // and nothing moves
+    };
+    std::optional<std::int64_t> tick;  // after this many ticks
+    Rest rest = Rest::kNone;
     std::int64_t most_ticks = 60 * 60 * 60;  // upper limit
 
-    static Until after(std::int64_t ticks) { return {ticks, false, ticks}; }
-    // At rest, or `most_ticks` after this tick.
-    static Until at_rest(std::int64_t earliest = 0) {
-        return {std::nullopt, true, earliest + Until().most_ticks};
+    // As AvaFrame's com1DFA ends a run (stopCrit); what moves on is a creep whose end nobody needs to wait for.
+    static constexpr std::int64_t kEnergyFallsBy = 100;
+
+    static Until after(std::int64_t ticks) { return {ticks, Rest::kNone, ticks}; }
+    // When nothing moves, or `most_ticks` after this tick.
+    static Until still(std::int64_t earliest = 0) {
+        return {std::nullopt, Rest::kStill, earliest + Until().most_ticks};
     }
 };
+
+// Why a run stopped.
+enum class Ended {
+    kTick,    // at its tick
+    kEnergy,  // as Until::Rest::kEnergy
+    kStill,   // nothing moves
+    kLimit,   // it reached most_ticks first
+};
+std::string_view to_string(Ended ended);  // "time", "energy", "rest", "limit"
 
 // Optional observers of the run. None of them changes the world.
 struct Watchers {
@@ -37,9 +58,8 @@ struct Watchers {
     std::function<Outcome<void>(const Session&)> keep;
 };
 
-// Plays a session, with the commands from its tick on. Returns whether it stopped as requested; false if it
-// reached most_ticks first.
-Outcome<bool> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
-                            const Watchers& watchers, const std::string& what);
+// Plays a session, with the commands from its tick on.
+Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
+                             const Watchers& watchers, const std::string& what);
 
 }  // namespace game

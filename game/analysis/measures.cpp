@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "game/scene/surface.h"
 #include "sim/core/angle.h"
@@ -54,6 +55,44 @@ void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& rel
             measures.toe = here;
         }
     if (measures.run_out > 0) measures.reach_deg = sim::degrees_of_slope(measures.fall, measures.run_out);
+}
+
+// Whether no square of Measures::kLeastWidth cells fits into an area that has a vertex at all.
+bool is_narrow(const sim::Grid& grid, const std::vector<std::uint8_t>& inside) {
+    // Width of the greatest square whose north-east corner is this vertex, for two rows.
+    const auto nx = static_cast<std::size_t>(grid.nx);
+    std::vector<int> south(nx), here(nx);
+    int greatest = 0;
+    for (int y = 0; y < grid.ny; ++y, std::swap(south, here))
+        for (std::size_t x = 0; x < nx; ++x) {
+            const bool is_inside = inside[static_cast<std::size_t>(y) * nx + x];
+            const int beside = y == 0 || x == 0 ? 0 : std::min({south[x - 1], south[x], here[x - 1]});
+            here[x] = is_inside ? beside + 1 : 0;
+            greatest = std::max(greatest, here[x]);
+        }
+    return greatest > 0 && greatest < Measures::kLeastWidth;
+}
+
+// The vertices around the greatest value that are connected with it and have at least half of it.
+std::vector<std::uint8_t> heart_of(const sim::Grid& grid, const std::vector<float>& depth) {
+    std::vector<std::uint8_t> inside(depth.size());
+    const auto deepest = std::ranges::max_element(depth);
+    if (*deepest == 0) return inside;
+    std::vector<std::size_t> open;
+    const auto add = [&](std::size_t i) {
+        if (!inside[i] && 2 * depth[i] >= *deepest) inside[i] = 1, open.push_back(i);
+    };
+    const auto nx = static_cast<std::size_t>(grid.nx);
+    add(static_cast<std::size_t>(deepest - depth.begin()));
+    while (!open.empty()) {
+        const std::size_t i = open.back(), x = i % nx;
+        open.pop_back();
+        if (x > 0) add(i - 1);
+        if (x + 1 < nx) add(i + 1);
+        if (i >= nx) add(i - nx);
+        if (i + nx < depth.size()) add(i + nx);
+    }
+    return inside;
 }
 
 // How much the surface was raised at each vertex.
@@ -130,6 +169,8 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
     measures.peak_thickness = std::ranges::max(peak_thickness_of(scenario, peaks));
     if (!peaks.pressure.empty())
         measures.peak_pressure = *std::max_element(peaks.pressure.begin(), peaks.pressure.end());
+    measures.narrow_release = is_narrow(grid, released);
+    measures.narrow_flow = is_narrow(grid, heart_of(grid, peaks.depth));
     if (!reference.extent.empty()) measures.overlap = overlap_of(extent, reference.extent);
     if (!reference.change.empty()) {
         const std::vector<float> change = change_of(scenario, session.state());

@@ -24,6 +24,10 @@ struct Measures {
     double peak_speed_slope = 0, peak_speed_plan = 0;  // m/s, along the slope and in plan
     std::optional<double> peak_pressure;               // kPa; nothing if a density is unknown
     double eroded = 0, deposited = 0;  // m³ by which the standing layer was lowered and raised
+    // Depth, and what a flow erodes, depend on the grid where it is less than kLeastWidth wide.
+    static constexpr int kLeastWidth = 4;  // cells
+    bool narrow_release = false;           // nowhere in the release area such a square fits
+    bool narrow_flow = false;  // nor around the deepest place of the flow, where it was half as deep
     // Along a straight line from the highest vertex at which material
     // was released or added to the farthest vertex of the extent.
     terrains::LocalPoint top, toe;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/score.h"
 #include "game/files/file_use.h"
@@ -29,7 +30,7 @@ struct Summary {
     const Session& session;
     const Measures& measures;
     const PerfLog* perf = nullptr;  // none: no timing
-    std::optional<bool> at_rest;    // whether rest was reached, if requested
+    std::optional<Ended> ended;     // why the run stopped; none: where its recording ends
     std::optional<Verdict> verdict;
     std::optional<SelfCheck> paranoid = std::nullopt;
     std::optional<Score> score = std::nullopt;  // of the scenario's goal

@@ -56,7 +56,7 @@ struct RunOptions : OutputOptions {
     std::optional<terrains::Thickness> thickness;  // how the release is measured
     bool accept_loss = false;                      // of more than 1 % of the release
     Overrides overrides;
-    bool until_rest = false;
+    bool until_rest = false, until_still = false;
     std::optional<double> seconds;
     std::optional<std::filesystem::path> record, save_world, export_folder;
     bool iseesnow = false;                   // export in ISeeSnow's format

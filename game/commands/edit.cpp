@@ -15,7 +15,7 @@ namespace {
 // Until nothing moves, if the original ended at rest; in any case until every command was applied.
 Until until_as(const Played& old, const std::vector<TimedCommand>& commands) {
     const std::int64_t given = commands.empty() ? 0 : commands.back().tick + 1;
-    return old.at_rest ? Until::at_rest(given) : Until::after(std::max(old.session.state().tick, given));
+    return old.at_rest ? Until::still(given) : Until::after(std::max(old.session.state().tick, given));
 }
 
 }  // namespace

@@ -87,10 +87,10 @@ Outcome<std::vector<Moment>> simulate(std::span<const GalleryView> views, Worlds
         World& world = worlds.at(view.scene);
         const std::vector<TimedCommand>& commands = world.scene->commands;
         const std::int64_t last_command = commands.empty() ? 0 : commands.back().tick;
-        const Until until = view.tick ? Until::after(*view.tick) : Until::at_rest(last_command);
+        const Until until = view.tick ? Until::after(*view.tick) : Until::still(last_command);
         const auto stopped = play_headless(world.session, commands, until, {}, world.scene->scenario.scene);
         if (!stopped) return tl::unexpected(stopped.error());
-        moments.push_back({view, &world, world.session.moment(), !*stopped});
+        moments.push_back({view, &world, world.session.moment(), *stopped == Ended::kLimit});
     }
     return moments;
 }

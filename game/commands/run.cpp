@@ -69,8 +69,9 @@ Until until_of(const RunOptions& options, const sim::Params& params) {
     const auto ticks = [&](double seconds) {
         return std::llrint(seconds / static_cast<double>(params.tick_s));
     };
-    until.rest = options.until_rest;
-    if (options.until_rest)
+    if (options.until_rest) until.rest = Until::Rest::kEnergy;
+    if (options.until_still) until.rest = Until::Rest::kStill;
+    if (until.rest != Until::Rest::kNone)
         until.most_ticks = ticks(options.seconds.value_or(3600));
     else
         until.tick = until.most_ticks = ticks(*options.seconds);
@@ -100,10 +101,10 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
         outputs.watch(scenario, session, {scenario.scene, "", options.step_options.threads, {}});
     Referee referee(scenario, scene.commands);
     if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
-    const auto finished =
+    const auto ended =
         play_headless(session, scene.commands, until_of(options, scenario.params), watchers, "running");
-    if (!finished) return tl::unexpected(finished.error());
-    if (auto ended = session.end_recording(); !ended) return tl::unexpected(ended.error());
+    if (!ended) return tl::unexpected(ended.error());
+    if (auto closed = session.end_recording(); !closed) return tl::unexpected(closed.error());
 
     if (options.save_world) {
         const auto saved = scenario_of_now(scenario, session.state()).and_then([&](const Scenario& now) {
@@ -113,7 +114,7 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
     }
     const Measures measures = measure(scenario, session, release_area(scenario, scene.commands), reference);
     Summary summary{scenario, session, measures, &outputs.perf(), std::nullopt, std::nullopt};
-    if (options.until_rest) summary.at_rest = *finished;
+    summary.ended = *ended;
     if (scene.release) summary.release = &*scene.release;
     if (options.reference) summary.reference = &reference;
     if (scenario.goal)
@@ -128,7 +129,7 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
         if (!exported) return tl::unexpected(exported.error());
     }
     if (auto told = tell(summary, options.results); !told) return tl::unexpected(told.error());
-    return *finished && !loses_release(options, scene) ? 0 : Failure::kBadAnswer;
+    return *ended != Ended::kLimit && !loses_release(options, scene) ? 0 : Failure::kBadAnswer;
 }
 
 // A failure that also says where the recording is whose name this run has taken.

@@ -19,7 +19,7 @@ PeakWatch::PeakWatch(const sim::State& state, const std::optional<Densities>& de
 void PeakWatch::see(sim::State& state) {
     sim::Tiles& tiles = state.tiles;
     const sim::View world = sim::view(state);
-    active_cells_ = 0;
+    active_ = {};
     for (int row = 0; row < tiles.rows; ++row)
         for (int column = 0; column < tiles.columns; ++column) {
             const std::size_t tile = tiles.number(column, row);
@@ -27,17 +27,18 @@ void PeakWatch::see(sim::State& state) {
                 const int x0 = column * tiles.width, y0 = row * tiles.height;
                 const bool is_empty = !tiles.uncounted[tile] && tiles.mass[tile].rolling == 0;
                 active_in_tile_[tile] = is_empty
-                                            ? 0
+                                            ? Active{}
                                             : see_tile(world, x0, std::min(x0 + tiles.width, state.grid.nx),
                                                        y0, std::min(y0 + tiles.height, state.grid.ny));
             }
-            active_cells_ += active_in_tile_[tile];
+            active_.cells += active_in_tile_[tile].cells;
+            active_.energy += active_in_tile_[tile].energy;
         }
 }
 
-// Vertices x0 … x1-1 by y0 … y1-1. Returns how many of them have a rolling layer.
-std::size_t PeakWatch::see_tile(const sim::View& world, int x0, int x1, int y0, int y1) {
-    std::size_t active = 0;
+// Vertices x0 … x1-1 by y0 … y1-1.
+PeakWatch::Active PeakWatch::see_tile(const sim::View& world, int x0, int x1, int y0, int y1) {
+    Active active;
     for (int y = y0; y < y1; ++y) {
         const float* rolling = world.rolling.row(y);
         const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
@@ -45,10 +46,11 @@ std::size_t PeakWatch::see_tile(const sim::View& world, int x0, int x1, int y0, 
                         static_cast<std::size_t>(x0);
         for (int x = x0; x < x1; ++x, ++i) {
             if (rolling[x] == 0) continue;
-            ++active;
+            ++active.cells;
             peaks_.depth[i] = std::max(peaks_.depth[i], rolling[x]);
             if (rolling[x] < Peaks::kVisible || (u[x] == 0 && v[x] == 0)) continue;
             const double along = speed_along_slope({u[x], v[x]}, ground_slope(world, x, y));
+            active.energy += std::llrint(static_cast<double>(rolling[x]) * (along * along) / kEnergyUnit);
             peaks_.speed_plan[i] = std::max(peaks_.speed_plan[i], std::sqrt(u[x] * u[x] + v[x] * v[x]));
             peaks_.speed_slope[i] = std::max(peaks_.speed_slope[i], static_cast<float>(along));
             if (!densities_) continue;

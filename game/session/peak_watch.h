@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct Peaks {
     static constexpr float kVisible = 0.01f;  // m
 };
 
-// Finds the maxima of a world. Costs what the tiles cost that were written since the last look and where anything rolls.
+// Finds the maxima of a world, and how much moves in it. Costs what the tiles cost that were written since the last look and where anything rolls.
 class PeakWatch {
   public:
     PeakWatch(const sim::State& state, const std::optional<Densities>& densities);
@@ -31,15 +32,23 @@ class PeakWatch {
 
     const Peaks& peaks() const { return peaks_; }
     // Vertices whose rolling layer was not empty at the last look.
-    std::size_t active_cells() const { return active_cells_; }
+    std::size_t active_cells() const { return active_.cells; }
+    // The kinetic energy of all that moved at the last look and was at least Peaks::kVisible deep: the sum of R |v|², v
+    // along the slope, in kEnergyUnit. A whole number, so that it is the same in whatever order it was summed.
+    std::int64_t energy() const { return active_.energy; }
+    static constexpr double kEnergyUnit = 1.0 / 1024;  // m³/s²; a cell of 128 m at 300 m/s has 1.2e10
 
   private:
-    std::size_t see_tile(const sim::View& world, int x0, int x1, int y0, int y1);
+    struct Active {
+        std::size_t cells = 0;
+        std::int64_t energy = 0;  // kEnergyUnit
+    };
+    Active see_tile(const sim::View& world, int x0, int x1, int y0, int y1);
 
     Peaks peaks_;
     std::optional<Densities> densities_;
-    std::vector<std::size_t> active_in_tile_;
-    std::size_t active_cells_ = 0;
+    std::vector<Active> active_in_tile_;
+    Active active_;
 };
 
 }  // namespace game

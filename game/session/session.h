@@ -116,10 +116,14 @@ class Session {
     const StateLine& state_line() const { return line_; }
     // When the try at the scenario's goal ended: tick.
     std::optional<std::int64_t> try_ended_at() const { return try_ ? try_->ended_at() : std::nullopt; }
+    // Whether the scenario has a goal and no try at it has ended.
+    bool is_in_try() const { return try_ && !try_->ended_at(); }
     // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:
     // the recording cannot be written.
     Outcome<void> claim(const ClaimLine& line);
     std::size_t active_cells() const { return peaks_.active_cells(); }
+    // As PeakWatch::energy().
+    std::int64_t energy() const { return peaks_.energy(); }
     double seconds() const {
         return static_cast<double>(state_.tick) * static_cast<double>(state_.params.tick_s);
     }

@@ -226,14 +226,39 @@ TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {
     for (const char* field : {"program", "scene", "terrain", "material", "model", "squares", "cell_m",
                               "ticks", "seconds", "state_hash", "mass", "measures", "performance"})
         EXPECT_TRUE(summary.contains(field)) << field;
-    for (const char* field : {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m",
-                              "peak_speed_slope_m_s", "peak_speed_plan_m_s", "top", "toe"})
+    for (const char* field :
+         {"run_out_m", "fall_m", "reach_deg", "extent_ha", "peak_depth_m", "peak_thickness_m",
+          "peak_speed_slope_m_s", "peak_speed_plan_m_s", "top", "toe"})
         EXPECT_TRUE(summary["measures"].contains(field)) << field;
     EXPECT_EQ(summary["scene"], "landslide");
     EXPECT_EQ(summary["ticks"], 30);
     EXPECT_EQ(summary["squares"], Json({16, 16}));
     EXPECT_EQ(summary["mass"]["error_quanta"], 0);
-    EXPECT_FALSE(summary.contains("at_rest")) << "nobody asked";
+    EXPECT_EQ(summary["ended"], "time");
+}
+
+// The energy is summed by tiles, so its end must not depend on how many threads swept them.
+TEST(CommandLine, run_ends_when_the_energy_is_spent_or_when_nothing_moves) {
+    const auto run = [](const std::vector<std::string>& until) {
+        std::vector<std::string> arguments{"run", "landslide", "--grid", "48", "--json"};
+        arguments.insert(arguments.end(), until.begin(), until.end());
+        const Finished finished = couloir(arguments);
+        EXPECT_EQ(finished.status, 0) << finished.err;
+        return Json::parse(finished.out);
+    };
+    const Json spent = run({"--until-rest"}), still = run({"--until-still"});
+    EXPECT_EQ(spent["ended"], "energy");
+    EXPECT_GT(spent["mass"]["rolling_m3"], 0);
+    EXPECT_EQ(still["ended"], "rest");
+    EXPECT_EQ(still["mass"]["rolling_m3"], 0);
+    EXPECT_LT(spent["ticks"].get<int>(), still["ticks"].get<int>());
+    const Json by_two = run({"--until-rest", "--threads", "2"});
+    EXPECT_EQ(by_two["ticks"], spent["ticks"]);
+    EXPECT_EQ(by_two["state_hash"], spent["state_hash"]);
+    const Finished late = couloir({"run", "landslide", "--grid", "48", "--until-rest", "--seconds", "2"});
+    EXPECT_EQ(late.status, 1);
+    EXPECT_NE(late.out.find("NOT yet at rest"), std::string::npos) << late.out;
+    EXPECT_EQ(couloir({"run", "landslide", "--until-rest", "--until-still"}).status, 2);
 }
 
 TEST(CommandLine, run_takes_parameters_and_refuses_what_is_none) {

@@ -23,8 +23,9 @@ class Fronts : public testing::Test {
     }
     // From the tick at which it stands.
     void run(Session& session, std::int64_t until) const {
-        ASSERT_TRUE(
-            play_headless(session, scene.commands, Until::after(until), {}, scene.scenario.title).value());
+        const auto ended =
+            play_headless(session, scene.commands, Until::after(until), {}, scene.scenario.title);
+        ASSERT_EQ(ended.value(), Ended::kTick);
     }
     static bool same(const TextureLayers::Memory& a, const TextureLayers::Memory& b) {
         const auto equal = [](const auto& x, const auto& y) {

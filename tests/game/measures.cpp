@@ -143,6 +143,29 @@ TEST(Peaks, found_by_tiles_are_those_of_every_vertex) {
     EXPECT_GT(std::ranges::max(fastest), 1) << "nothing moved";
 }
 
+TEST(Measures, tell_of_a_release_and_of_a_flow_that_are_nowhere_four_cells_wide) {
+    Hill hill;
+    std::vector<std::uint8_t> released(hill.scenario.grid.size());
+    const auto lay = [&](int x0, int x1, int y0, int y1, float depth) {
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x)
+                hill.scenario.rolling[hill.at(x, y)] = depth, released[hill.at(x, y)] = 1;
+    };
+    const auto measured = [&] { return measure(hill.scenario, hill.session(), released, {}); };
+    EXPECT_FALSE(measured().narrow_release) << "nothing is not narrow";
+    EXPECT_FALSE(measured().narrow_flow);
+    lay(1, 9, 5, 7, 2);  // 9 by 3
+    EXPECT_TRUE(measured().narrow_release);
+    EXPECT_TRUE(measured().narrow_flow);
+    lay(3, 6, 4, 4, 1);  // and 4 by 4, half as deep
+    EXPECT_FALSE(measured().narrow_release);
+    EXPECT_FALSE(measured().narrow_flow);
+    lay(3, 6, 4, 4, 0.875f);
+    EXPECT_TRUE(measured().narrow_flow);
+    lay(0, 3, 0, 3, 1.5f);  // wide and deep, but not where it is deepest
+    EXPECT_TRUE(measured().narrow_flow);
+}
+
 TEST(Densities, are_known_only_if_every_material_has_one_and_mix_by_volume) {
     Scenario scenario;
     EXPECT_FALSE(densities_of(scenario));

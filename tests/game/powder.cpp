@@ -20,8 +20,9 @@ class FollowedPowder : public testing::Test {
     }
     // From the tick at which it stands.
     void run(Session& session, std::int64_t until) const {
-        ASSERT_TRUE(
-            play_headless(session, scene.commands, Until::after(until), {}, scene.scenario.title).value());
+        const auto ended =
+            play_headless(session, scene.commands, Until::after(until), {}, scene.scenario.title);
+        ASSERT_EQ(ended.value(), Ended::kTick);
     }
     static std::vector<sim::powder::Puff> puffs(const Session& session) {
         return {session.powder().begin(), session.powder().end()};

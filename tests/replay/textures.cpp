@@ -154,8 +154,8 @@ class Deposits : public testing::TestWithParam<Deposit> {
         const Scene scene = load_scene(deposit.scene, overrides).value();
         auto session = Session::begin(scene.scenario, sim::StepOptions{.threads = 1}, std::nullopt).value();
         session.follow_fronts(scene.scenario);
-        const Until until = Until::at_rest(scene.commands.back().tick);
-        EXPECT_TRUE(play_headless(session, scene.commands, until, {}, deposit.scene).value());
+        const Until until = Until::still(scene.commands.back().tick);
+        EXPECT_EQ(play_headless(session, scene.commands, until, {}, deposit.scene).value(), Ended::kStill);
         return score(*session.fronts(), static_cast<double>(scene.scenario.look.rolling_visible_m));
     }
 };
