@@ -193,6 +193,10 @@ void add_material_and_model(CLI::App& app, Overrides& overrides) {
     app.add_option("--material", overrides.material,
                    "use this material: a name from `couloir list`, or a material file")
         ->type_name("NAME");
+    app.add_option("--size-class", overrides.size_class,
+                   "use the friction that the material has in avalanches of this class, for example small "
+                   "[by the volume of --release]")
+        ->type_name("NAME");
     add_named(app, "--model", overrides.model, sim::model_from, "bcre, bcre-inertial, voellmy",
               "use this physics model");
     add_named(app, "--scheme", overrides.scheme, sim::scheme_from,

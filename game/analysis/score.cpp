@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -143,29 +144,33 @@ std::int64_t rounded(std::int64_t value, int digits) {
     return std::llrint(static_cast<double>(value) / step) * static_cast<std::int64_t>(step);
 }
 
-// With as many digits as it takes to see on which side of the bound it is.
-std::string value_text(const Goal::Need& need, const Score::Judged& judged) {
+std::string amount_text(double number, int digits, std::string_view unit) {
+    return fmt::format("{:.{}f}{}{}", number, digits, unit.empty() ? "" : " ", unit);
+}
+
+// A value with as many digits as it takes to see on which side of its bound it is. If that is more than usual, the bound
+// has as many, so that both can be compared digit by digit.
+std::pair<std::string, std::string> value_and_bound(const Goal::Need& need, const Score::Judged& judged) {
     constexpr int kMostDigits = 3;
     const std::string_view unit = unit_text(need.quantity);
     const bool is_small = std::abs(judged.value) < 100 * Score::kParts;
-    int digits = is_small && judged.value % Score::kParts != 0 ? 1 : 0;
+    const int usual = is_small && judged.value % Score::kParts != 0 ? 1 : 0;
+    int digits = usual;
     while (digits < kMostDigits && meets(need, rounded(judged.value, digits)) != judged.met) ++digits;
-    const double number =
+    const double value =
         static_cast<double>(rounded(judged.value, digits)) / static_cast<double>(Score::kParts);
-    return fmt::format("{:.{}f}{}{}", number, digits, unit.empty() ? "" : " ", unit);
+    const double bound = need.most ? *need.most : *need.least;
+    const std::string bound_text = digits > usual
+                                       ? amount_text(bound, digits, unit)
+                                       : fmt::format("{}{}{}", bound, unit.empty() ? "" : " ", unit);
+    return {amount_text(value, digits, unit),
+            fmt::format("{} {}", need.most ? "at most" : "at least", bound_text)};
 }
 
 std::string name_of(const Quantity& quantity) {
     const MeasureInfo& info = info_of(quantity.measure);
     return info.has_tool ? fmt::format("{} {}", sim::info_of(quantity.tool).name, info.words)
                          : std::string(info.words);
-}
-
-// "at most 5 kPa"
-std::string bound_text(const Goal::Need& need) {
-    const std::string_view unit = unit_text(need.quantity);
-    return fmt::format("{} {}{}{}", need.most ? "at most" : "at least", need.most ? *need.most : *need.least,
-                       unit.empty() ? "" : " ", unit);
 }
 
 // The terms of the score, without its base.
@@ -222,7 +227,8 @@ const char* medal_name(int medal) {
 }
 
 NeedText text_of(const Goal::Need& need, const Score::Judged& judged) {
-    return {name_of(need.quantity), value_text(need, judged), bound_text(need)};
+    auto [value, bound] = value_and_bound(need, judged);
+    return {name_of(need.quantity), std::move(value), std::move(bound)};
 }
 
 std::string verdict_of(const Score& score) {

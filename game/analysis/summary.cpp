@@ -98,6 +98,12 @@ std::string density_text(const Densities& densities) {
                        std::max(densities.upper, densities.lower));
 }
 
+std::string size_text(const Scene::Size& size) {
+    if (!size.released) return fmt::format("friction of size class {}, as asked for\n", one_line(size.name));
+    return fmt::format("friction of size class {}, by {:.0f} m3 of release; --size-class overrides it\n",
+                       one_line(size.name), *size.released);
+}
+
 std::string end_text(Ended ended, const Session& session) {
     switch (ended) {
         case Ended::kTick:
@@ -170,6 +176,10 @@ Json to_json(const Summary& summary) {
     if (state.things) json["things"] = things_to_json(scenario, summary.session);
     if (summary.score) json["challenge"] = to_json(*scenario.goal, *summary.score);
     if (summary.release) json["release"] = to_json(*summary.release);
+    if (summary.size) {
+        json["size_class"] = {{"name", summary.size->name}};
+        if (summary.size->released) json["size_class"]["released_m3"] = *summary.size->released;
+    }
     if (summary.reference) json["reference"] = to_json(*summary.reference);
     if (summary.ended) json["ended"] = to_string(*summary.ended);
     if (summary.verdict) json["verified"] = verdict_json(*summary.verdict);
@@ -192,6 +202,7 @@ std::string to_text(const Summary& summary) {
     if (!scenario.licence.empty()) text += fmt::format("terrain: {}\n", one_line(scenario.licence));
     if (summary.release) text += to_text(*summary.release);
     if (summary.reference) text += to_text(*summary.reference);
+    if (summary.size) text += size_text(*summary.size);
     text += fmt::format("{} ticks, {:.1f} s{}\n", session.state().tick, session.seconds(),
                         summary.ended ? end_text(*summary.ended, session) : "");
     if (m.run_out > 0) {
@@ -240,7 +251,7 @@ std::string to_text(const Summary& summary) {
     if (session.state().limited > 0)
         text += fmt::format(
             "LIMITED: the speed passed {} m/s and was cut {} times, each at one vertex in one sub-step\n",
-            sim::kGreatestPlanSpeed, session.state().limited);
+            scenario.params.greatest_speed, session.state().limited);
     if (session.state().things) text += things_to_text(scenario, session);
     if (summary.score) text += to_text(*scenario.goal, *summary.score);
     text += fmt::format("state hash {}\n", hex(session.state_line().hash));

@@ -10,6 +10,7 @@
 #include "game/files/file_use.h"
 #include "game/recording/divergence.h"
 #include "game/scene/scenario.h"
+#include "game/scene/scene.h"
 #include "game/session/perf_log.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
@@ -37,6 +38,7 @@ struct Summary {
     // Of a run on a real hill: what became of its file of a release, and of its reference; null otherwise.
     const terrains::Release* release = nullptr;
     const terrains::Reference* reference = nullptr;
+    std::optional<Scene::Size> size = std::nullopt;  // the class of its avalanche
 };
 
 Json to_json(const Summary& summary);

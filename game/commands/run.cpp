@@ -117,6 +117,7 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
     summary.ended = *ended;
     if (scene.release) summary.release = &*scene.release;
     if (options.reference) summary.reference = &reference;
+    summary.size = scene.size;
     if (scenario.goal)
         if (const auto score = referee.decide()) summary.score = *score;
     outputs.draw_results(session);

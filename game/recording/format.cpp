@@ -68,21 +68,22 @@ Json physics_json(const sim::Params& params) {
     return json;
 }
 
-void params_from(const Json& json, sim::Params& params) {
+void params_from(const Json& json, int minor, sim::Params& params) {
     for (const sim::ParamInfo& info : sim::kParams)
-        params.*info.value =
-            static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
+        if (info.since <= minor)
+            params.*info.value =
+                static_cast<float>(number(json, info.name.data(), info.least - 1e-6, info.most + 1e-6));
     if (const auto wrong = sim::fault_of(params)) refuse(*wrong);
 }
 
-sim::Params physics_from(const Json& json) {
+sim::Params physics_from(const Json& json, int minor) {
     sim::Params params;
     params.model = named(json, "model", sim::model_from);
     params.scheme = named(json, "scheme", sim::scheme_from);
     params.law = named(json, "law", sim::law_from);
     for (std::size_t side = 0; side < sim::kSides.size(); ++side)
         params.borders[side] = named(member(json, "borders"), sim::kSides[side].data(), sim::border_from);
-    params_from(json, params);
+    params_from(json, minor, params);
     return params;
 }
 
@@ -91,9 +92,9 @@ std::optional<double> density_from(const Json& json) {
     return number(json, "density", kLeastDensity, kGreatestDensity);
 }
 
-Scenario::Lower lower_from(const Json& json, const sim::Params& world) {
+Scenario::Lower lower_from(const Json& json, int minor, const sim::Params& world) {
     Scenario::Lower lower{text(json, "material"), world, {}, density_from(json), {}, {}};
-    params_from(member(json, "physics"), lower.params);
+    params_from(member(json, "physics"), minor, lower.params);
     sim::take_choices(world, lower.params);
     return lower;
 }
@@ -342,8 +343,8 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     scenario.title = text(json, "title");
     scenario.material = text(json, "material");
     scenario.density = density_from(json);
-    scenario.params = physics_from(member(json, "physics"));
-    if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), scenario.params);
+    scenario.params = physics_from(member(json, "physics"), minor);
+    if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
     ground_from(member(json, "terrain"), memory, json.contains("things"), scenario);
     if (scenario.lower && json.at("lower").contains("mixed"))

@@ -1,6 +1,9 @@
 #include "game/scene/material.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,13 +57,68 @@ std::string angle_key(const sim::ParamInfo& info) {
     return key.replace(at, 6, "_angle");
 }
 
+void read_number(TomlTable& table, const sim::ParamInfo& info, sim::Params& params) {
+    const auto value = table.number(info.name, info.least, info.most);
+    if (!value) return;
+    params.*info.value = static_cast<float>(*value);
+    if (info.value == &sim::Params::drag_exponent && std::remainder(*value, 0.125) != 0)
+        table.blame(info.name, "is no multiple of 0.125");
+}
+
+// `cohesion`, N₀ in Pa, becomes the thickness that weighs as much.
+void read_cohesion(TomlTable& table, const std::optional<double>& density, sim::Params& params) {
+    constexpr double kGreatest = 20000;  // Pa
+    const auto cohesion = table.number("cohesion", 0, kGreatest);
+    if (!cohesion) return;
+    if (!density) return table.blame("cohesion", "needs the density of the material");
+    params.cohesion_depth = static_cast<float>(*cohesion / (*density * sim::kGravity));
+}
+
+// `[[size]]`: names, bounds in m³ and the friction that differs. `material`: with its own parameters.
+void read_sizes(TomlTable& root, sim::Model model, Material& material) {
+    constexpr std::array kOfSize{&sim::Params::friction, &sim::Params::drag, &sim::Params::drag_exponent,
+                                 &sim::Params::fluidization, &sim::Params::cohesion_depth};
+    constexpr double kMost = 1e10;  // m³
+    std::vector<TomlTable> tables = root.tables("size");
+    for (TomlTable& table : tables) {
+        SizeClass size{table.text("name").value_or(""), table.number("below", 1, kMost), material.params};
+        sim::Params unused;
+        sim::Params& params = sim::has_momentum(model) ? size.params : unused;
+        for (const sim::ParamInfo& info : sim::kParams)
+            if (std::ranges::find(kOfSize, info.value) != kOfSize.end()) read_number(table, info, params);
+        read_cohesion(table, material.density, params);
+        table.finish();
+        const auto has_its_name = [&](const SizeClass& other) { return other.name == size.name; };
+        if (size.name.empty() || std::ranges::any_of(material.sizes, has_its_name))
+            return table.blame("name", "is missing, empty or that of another class");
+        if (const SizeClass* before = material.sizes.empty() ? nullptr : &material.sizes.back()) {
+            if (!before->below)
+                return table.blame("", fmt::format("overlaps with '{}', which has no 'below'", before->name));
+            if (size.below && *size.below <= *before->below)
+                return table.blame(
+                    "below", fmt::format("is {:g}, so the class overlaps with '{}', below {:g}", *size.below,
+                                         before->name, *before->below));
+        }
+        material.sizes.push_back(std::move(size));
+    }
+    if (!material.sizes.empty() && material.sizes.back().below)
+        tables.back().blame(
+            "below", fmt::format("leaves a gap: from {:g} m3 on there is no class; the last has no 'below'",
+                                 *material.sizes.back().below));
+}
+
 }  // namespace
+
+const SizeClass* size_of(const Material& material, double released_m3) {
+    const auto found = std::ranges::find_if(
+        material.sizes, [&](const SizeClass& size) { return !size.below || released_m3 < *size.below; });
+    return found == material.sizes.end() ? nullptr : &*found;
+}
 
 void read_physics_numbers(TomlTable& table, sim::Model model, sim::Params& params) {
     for (const sim::ParamInfo& info : sim::kParams) {
         if (!sim::is_used_by(info, model)) continue;
-        if (const auto value = table.number(info.name, info.least, info.most))
-            params.*info.value = static_cast<float>(*value);
+        read_number(table, info, params);
         const std::string angle = angle_key(info);
         if (angle.empty()) continue;
         if (const auto degrees = table.number(angle, 0, 84))
@@ -98,10 +156,13 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
         auto block = root.table(sim::to_string(each));
         if (!block) continue;
         sim::Params unused;
-        read_physics_numbers(*block, each, each == model ? material.params : unused);
+        sim::Params& params = each == model ? material.params : unused;
+        read_physics_numbers(*block, each, params);
+        if (sim::has_momentum(each)) read_cohesion(*block, material.density, params);
         block->finish();
         has_block |= each == model;
     }
+    read_sizes(root, model, material);
     root.finish();
     if (fault) return unusable(*fault);
     if (!has_block)
@@ -109,6 +170,9 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
                                     path->string(), sim::to_string(model)));
     if (const auto wrong = sim::fault_of(material.params))
         return unusable(fmt::format("{}: {}", path->string(), *wrong));
+    for (const SizeClass& size : material.sizes)
+        if (const auto wrong = sim::fault_of(size.params))
+            return unusable(fmt::format("{}: size '{}': {}", path->string(), size.name, *wrong));
     return material;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "game/base/outcome.h"
 #include "game/files/toml_table.h"
@@ -11,6 +12,13 @@
 
 namespace game {
 
+// Avalanches that release less than a volume, and a material's parameters in them.
+struct SizeClass {
+    std::string name;
+    std::optional<double> below;  // m³; nothing in the last one
+    sim::Params params;           // of the requested model: those of the material, but for its friction
+};
+
 // A material: its appearance, and its parameters for one model.
 struct Material {
     std::filesystem::path file;
@@ -18,8 +26,11 @@ struct Material {
     std::string title;              // "loose dry snow"
     std::optional<double> density;  // kg/m³, while it flows; 1 to 3000
     render::Look look;
-    sim::Params params;  // of the requested model
+    sim::Params params;            // of the requested model
+    std::vector<SizeClass> sizes;  // by rising volume, without gaps; empty: one friction for all
 };
+// The class of avalanches that release so much; null if the material has no classes.
+const SizeClass* size_of(const Material& material, double released_m3);
 
 // Reads assets/materials/NAME.toml or a file. Errors:
 // unknown name, a damaged file, or no block for this model.

@@ -223,6 +223,27 @@ void take_material(Scenario& scenario, const Material& material, const sim::Para
     scenario.params = over;
 }
 
+// The parameters of a material: of the class that was asked for, or of that of the released volume, m³, if it is known.
+// Errors: the material has no such class.
+Outcome<sim::Params> params_of(const Material& material, const Overrides& overrides,
+                               std::optional<double> released, Scene& scene) {
+    const SizeClass* size = released ? size_of(material, *released) : nullptr;
+    if (overrides.size_class) {
+        const auto found = std::ranges::find(material.sizes, *overrides.size_class, &SizeClass::name);
+        if (found == material.sizes.end()) {
+            std::vector<std::string> names;
+            for (const SizeClass& each : material.sizes) names.push_back(each.name);
+            return unusable(
+                fmt::format("--size-class {}: {} has {}", *overrides.size_class, material.name,
+                            names.empty() ? "no classes" : fmt::format("{}", fmt::join(names, ", "))));
+        }
+        size = &*found, released.reset();
+    }
+    if (!size) return material.params;
+    scene.size = Scene::Size{size->name, released};
+    return size->params;
+}
+
 // A material that a scene names: a shipped one, or a file beside or below the scene, as terrain is. Errors,
 // without the place: it may not or cannot be read.
 Outcome<Material> material_of_scene(const std::string& name, const fs::path& folder,
@@ -286,7 +307,9 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     if (!material && !overrides.material) cover->blame("material", material.error().sentence);
     if (!material) return fault ? unusable(*fault) : tl::unexpected(material.error());
     scene.files.push_back(material->file);
-    sim::Params params = material->params;
+    auto of_material = params_of(*material, overrides, std::nullopt, scene);
+    if (!of_material) return tl::unexpected(of_material.error());
+    sim::Params params = *of_material;
     read_choices(*physics, overrides, params);
     read_borders(*physics, params);
     // A scene's own parameters are for its own model; with another model the material's apply.
@@ -426,17 +449,28 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     scene.files = {dem, material->file};
     add_files(terrain->files, scene);
     scene.scenario.scene = scene.scenario.title = terrain->name;
-    sim::Params params = material->params;
-    take_choices(overrides, params);
-    if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
-    params.borders.fill(sim::Border::kSink);
-    take_material(scene.scenario, *material, params);
+    // The class of the avalanche is known when its release is.
+    const auto chosen = [&](sim::Params params) -> Outcome<sim::Params> {
+        take_choices(overrides, params);
+        if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
+        params.borders.fill(sim::Border::kSink);
+        return params;
+    };
+    const auto usual_params = chosen(material->params);
+    if (!usual_params) return tl::unexpected(usual_params.error());
+    take_material(scene.scenario, *material, *usual_params);
     set_ground(scene.scenario, *terrain);
     view_from_valley(scene.scenario);
     scene.warnings = std::move(terrain->warnings);
-    if (release)
+    std::optional<double> released;
+    if (release) {
         if (auto added = add_release(*terrain, *release, overrides.references, scene); !added)
             return tl::unexpected(added.error());
+        released = scene.release->volumes.on_ground;
+    }
+    const auto params = params_of(*material, overrides, released, scene).and_then(chosen);
+    if (!params) return tl::unexpected(params.error());
+    scene.scenario.params = *params;
     return scene;
 }
 

@@ -19,6 +19,7 @@ struct Overrides {
     std::optional<int> squares;           // along the longer side, 8 to 4096
     std::optional<std::string> material;  // name or file
     std::optional<sim::Model> model;
+    std::optional<std::string> size_class;  // of the (upper) material
     std::optional<sim::Scheme> scheme;
     std::optional<sim::Law> law;
     // Parameters of the (upper) material, after those of the scene.
@@ -42,6 +43,12 @@ struct Scene {
     std::vector<std::filesystem::path> files = {};  // that it was read from, sources of a VRT included
     // Of a real hill: what the file of its release states and where it went. Its thickness is in the scenario.
     std::optional<terrains::Release> release = std::nullopt;
+    // The class whose friction the material has, and the volume that it was chosen by: none if a person chose it.
+    struct Size {
+        std::string name;
+        std::optional<double> released;  // m³
+    };
+    std::optional<Size> size = std::nullopt;
     std::vector<std::string> warnings = {};  // of its files, one sentence each, for the user to read
 };
 

@@ -14,14 +14,14 @@ constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 struct Group {
     const char* title;
-    std::array<std::string_view, 8> names;  // of kParams; empty beyond the last
+    std::array<std::string_view, 11> names;  // of kParams; empty beyond the last
 };
 // Parameters in no group are listed under the last title.
 constexpr std::array<Group, 5> kGroups{{
     {"Release", {"start_slope", "start_depth", "loose_slope", "anchor_gain", "anchor_margin", "anchor_step"}},
     {"Flow",
      {"rolling_speed", "shear_rate", "speed_per_slope", "max_speed", "friction", "drag", "friction_thin",
-      "friction_fold_depth"}},
+      "friction_fold_depth", "fluidization", "cohesion_depth", "drag_exponent"}},
     {"Exchange and entrainment",
      {"exchange_rate", "exchange_depth", "erosion_rate", "erosion_slope", "erosion_depth"}},
     {"Deposition", {"stop_slope", "deposit_rate", "deposit_speed", "freeze_depth"}},

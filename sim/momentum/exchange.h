@@ -2,6 +2,7 @@
 
 #include "sim/momentum/fields.h"
 #include "sim/momentum/forces.h"
+#include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
 #include "sim/momentum/walls.h"
 
@@ -49,7 +50,9 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         }
         const Number slow = max(Number(1) - speed * c.per_deposit_speed, none);
         if (any(slow > S{0})) {
-            const Number flat = max(friction_of(Number(r * at<Number>(cosine, i)), c) - slope, none);
+            const Number cos = at<Number>(cosine, i);
+            const Number friction = friction_at_rest(Number(r * cos), cos, c);
+            const Number flat = max(friction - slope, none);
             change -= min(c.deposit_pace * r * (flat * slow), r);
         }
         if constexpr (has_things) {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "sim/simd/exponential.h"
 #include "sim/simd/rows.h"
 #include "sim/stages/field_list.h"
 #include "sim/stages/world_rows.h"
@@ -15,8 +14,6 @@
 // `voellmy` is forces and transport; `bcre-inertial` adds exchange between the layers, start and rest.
 
 namespace sim::momentum {
-
-inline constexpr double kGravity = 9.81;  // m/s²
 
 // A layer this thin, ten quanta, does not move: rounding at four faces could take more than it has. m
 template <class Number>
@@ -36,6 +33,9 @@ struct alignas(64) Constants {
     Scalar friction_more;   // μ_thin − μ; 0 in voellmy
     Scalar per_fold_depth;  // 1/m
     Scalar drag_length;     // g Δt/ξ, s: drag takes |v| times this, over the thickness normal to the slope
+    int drag_eighths;       // 8 p
+    Scalar fluidization, cohesion, per_cohesion_depth;  // f; 1 − μ; 1/h_c, 1/m, or 0
+    Scalar greatest_speed;                              // m/s, in plan
 
     // bcre-inertial only.
     Scalar eroded_per_speed, erosion_slope, erosion_depth;  // k Δt, s; 1; m
@@ -63,6 +63,11 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .friction_more = exchanges ? Scalar{p.friction_thin} - Scalar{p.friction} : Scalar{0},
             .per_fold_depth = 1 / Scalar{p.friction_fold_depth},
             .drag_length = Scalar(kGravity) * sub.dt / Scalar{p.drag},
+            .drag_eighths = static_cast<int>(std::lround(8 * p.drag_exponent)),
+            .fluidization = p.fluidization,
+            .cohesion = 1 - p.friction,
+            .per_cohesion_depth = p.cohesion_depth > 0 ? 1 / Scalar{p.cohesion_depth} : Scalar{0},
+            .greatest_speed = p.greatest_speed,
             .eroded_per_speed = p.erosion_rate * sub.dt,
             .erosion_slope = p.erosion_slope,
             .erosion_depth = p.erosion_depth,
@@ -169,12 +174,5 @@ struct StageRows : Fields<Rows<Scalar>>, WorldRows<Constants<Scalar>, Scalar> {
         return {this->moved_depth, this->moved_rolling, this->moved_u, this->moved_v};
     }
 };
-
-// μ(h) of a layer whose thickness normal to the slope is h, m (Pouliquen 1999, with an exponential).
-template <class Number, class S = Scalar<Number>>
-[[gnu::always_inline]] inline Number friction_of(const Number& h, const Constants<S>& c) {
-    if (!(c.friction_more > S{0})) return Number(c.friction);
-    return c.friction + c.friction_more * exp(Number(h * -c.per_fold_depth));
-}
 
 }  // namespace sim::momentum

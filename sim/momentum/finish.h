@@ -14,7 +14,7 @@
 namespace sim::momentum {
 
 // Rows y = 0 … ny-1. Reads fed, driven velocity, fluxes and their velocities; writes R and velocity after transport,
-// up to vertex `end`. Speeds above kGreatestPlanSpeed are cut; `limited`, if given, counts them. `active`, if given,
+// up to vertex `end`. Speeds above greatest_speed are cut; `limited`, if given, counts them. `active`, if given,
 // has one byte per vector of lanes, which is set if anything moves, came to rest or passed.
 template <class Number, class S = Scalar<Number>>
 auto finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, int end, std::int64_t* limited = nullptr,
@@ -36,7 +36,7 @@ auto finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, int end, std::int
     };
     return [x, south = of_y(y), north = of_y(y + 1), driven_u = w.driven_u[y], driven_v = w.driven_v[y],
             rolling = w.fed[y], to_rolling = to.moved_rolling[y], to_u = to.moved_u[y], to_v = to.moved_v[y],
-            end, limited, active](int i) {
+            most = w.c.greatest_speed, end, limited, active](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         Number e, e_u, e_v, west, west_u, west_v, n, n_u, n_v, s, s_u, s_v;
         x.take(i + 1, S(1), e, e_u, e_v), x.take(i, S(-1), west, west_u, west_v);
@@ -55,11 +55,10 @@ auto finish(const StageRows<S>& w, Fields<Rows<S>>& to, int y, int end, std::int
         Number u = (r * at<Number>(driven_u, i) - ((e_u + west_u) + (n_u + s_u))) * per_depth;
         Number v = (r * at<Number>(driven_v, i) - ((e_v + west_v) + (n_v + s_v))) * per_depth;
         u = select(moves, u, none) + S{0}, v = select(moves, v, none) + S{0};  // -0 becomes 0
-        constexpr S kMost = S(kGreatestPlanSpeed);
         const Number squared = u * u + v * v;
-        const auto fast = squared > kMost * kMost;
+        const auto fast = squared > most * most;
         if (any_before(end - i, fast)) {
-            const Number scale = kMost / sqrt(select(fast, squared, Number(kMost * kMost)));
+            const Number scale = most / sqrt(select(fast, squared, Number(most * most)));
             u *= scale, v *= scale;
             if (limited) *limited += count_before(end - i, fast);
         }

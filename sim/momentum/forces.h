@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/momentum/fields.h"
+#include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
 #include "sim/momentum/walls.h"
 
@@ -8,8 +9,8 @@
 // and inclination θ, under the surface z = b + d + R:
 //
 //     gravity, pressure    v ← v − Δt G ∇z                      G = g/(1 + max(B·∇z, 0))
-//     Coulomb              |v|ₛ ← max(0, |v|ₛ − Δt μ N)         N = cos θ · max(g + vᵀ H v, 0), at most 4 g cos θ
-//     drag                 |v|ₛ ← |v|ₛ / (1 + Δt g |v₀|ₛ/(ξ R cos θ))
+//     friction             |v|ₛ ← max(0, |v|ₛ − Δt μ N)         N = cos θ · max(g + vᵀ H v, 0), at most 4 g cos θ
+//     drag                 |v|ₛ ← |v|ₛ / (1 + Δt g |v₀|ₛ/(ξ R cos θ))         μ and ξ: friction.h
 //     stems and posts      |v|ₛ ← |v|ₛ / (1 + ½ C_d A |v|ₛ Δt)          A: frontal area per volume (world/things.h)
 //
 // |v|ₛ = √(|v|² + (B·v)²) is the speed along the slope, and friction scales v by what it leaves of it. The
@@ -19,8 +20,6 @@
 // Friction is implicit: it takes at most the speed that is there, after all other forces. So a layer stops
 // exactly, within a sub-step, and a layer at rest stays at rest while the driving force is at most μ N. Drag is
 // linearised around the speed before, v₀; terminal speed is exact.
-//
-// In bcre-inertial μ grows from that of a thick layer to μ_thin as R cos θ goes to 0, so that films hold.
 
 namespace sim::momentum {
 
@@ -97,10 +96,11 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             normal =
                 min(max(normal + bending(smooth, i, u, v, c), none), Number(S(kGreatestNormal * kGravity)));
         const Number thick = r * cos;
-        const Number friction = friction_of(thick, c) * cos;
+        const Friction<Number> friction = friction_of(thick, cos, before, normal, c);
         const Number speed = sqrt(squared_along_slope(driven_u, driven_v));
-        const Number left = max(speed - (c.time * friction) * normal, none);
-        Number kept = left * thick / max(speed * (thick + c.drag_length * sqrt(before)), Number(S(1e-30)));
+        const Number left = max(speed - (c.time * (friction.moves * cos)) * normal, none);
+        Number kept =
+            left * thick / max(speed * (thick + drag_length_of(thick, c) * sqrt(before)), Number(S(1e-30)));
         if constexpr (has_things) {
             const Number area = at<Number>(stems, i);
             if (any(area > S{0})) kept /= Number(1) + (c.stem_drag * area) * (speed * kept);
@@ -108,7 +108,7 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         store(select(rolls, around_it.stop_x(Number(driven_u * kept), r, c.courant), none), to_u + i);
         store(select(rolls, around_it.stop_y(Number(driven_v * kept), r, c.courant), none), to_v + i);
         if constexpr (exchanges) {
-            const Number holds = c.fall * friction;
+            const Number holds = c.fall * (friction.rests * cos);
             const auto held = left <= S{0} || drive_squared(b, z, c.fall) <= holds * holds;
             store(select(rolls && held, Number(1), none), to_held + i);
         }

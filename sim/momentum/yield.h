@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "sim/momentum/forces.h"
+#include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
 
 // Which material of bcre-inertial comes to rest and which starts, after transport.
@@ -104,7 +105,7 @@ auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t
             const Number can = select(natural, max(loose, slab), loose);
             const Gradient<Number> b = gradient<Number>(smooth, i, c);
             const Number cos = cosine_of(b);
-            const Number friction = friction_of(Number((r + can) * cos), c) * (cos * S(kGravity));
+            const Number friction = friction_at_rest(Number((r + can) * cos), cos, c) * (cos * S(kGravity));
             const auto goes =
                 drive_squared(b, z, S(kGravity * kStartMargin)) > friction * friction && can > S{0};
             moved = select(too_steep && goes, can, moved);

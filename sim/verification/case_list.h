@@ -12,6 +12,7 @@ extern const Case kEntraining, kDepositing, kFilm;                              
 extern const Case kStrip, kSquare, kDisk;                                         // tables.cpp
 extern const Case kGrowth, kRestingLayer;                                         // uniform.cpp
 extern const Case kFreeSlab, kCoulombSlab, kStopping, kVoellmyTerminal;           // voellmy.cpp
+extern const Case kThickDrag, kFluidized, kCohesive;                              // voellmy.cpp
 extern const Case kFreeRamp, kCoulombRamp, kSpread, kRitter, kMangeney, kSwing;   // voellmy_flows.cpp
 extern const Case kBowl, kCircularBend, kSlidingHeap, kSmoothEnergy;              // voellmy_flows.cpp
 

@@ -19,12 +19,12 @@ bool Series::holds() const {
 }
 
 std::span<const Case> cases() {
-    static const std::array kCases{kDecay,        kSimpleWave,  kObliqueWave,     kDepositFront, kThickPulse,
-                                   kManufactured, kGrowth,      kStrip,           kSquare,       kDisk,
-                                   kRestingLayer, kEntraining,  kDepositing,      kFilm,         kFreeSlab,
-                                   kCoulombSlab,  kStopping,    kVoellmyTerminal, kFreeRamp,     kCoulombRamp,
-                                   kSpread,       kRitter,      kMangeney,        kSwing,        kBowl,
-                                   kCircularBend, kSlidingHeap, kSmoothEnergy};
+    static const std::array kCases{
+        kDecay,        kSimpleWave,  kObliqueWave, kDepositFront,    kThickPulse, kManufactured, kGrowth,
+        kStrip,        kSquare,      kDisk,        kRestingLayer,    kEntraining, kDepositing,   kFilm,
+        kFreeSlab,     kCoulombSlab, kStopping,    kVoellmyTerminal, kThickDrag,  kFluidized,    kCohesive,
+        kFreeRamp,     kCoulombRamp, kSpread,      kRitter,          kMangeney,   kSwing,        kBowl,
+        kCircularBend, kSlidingHeap, kSmoothEnergy};
     return kCases;
 }
 

@@ -110,6 +110,78 @@ std::vector<Series> terminal() {
     return {stays, gathers};
 }
 
+// v∞ = √(ξ h^(1 + p) (sin θ − μ cos θ)) along the slope, of layers of other thicknesses.
+std::vector<Series> terminal_by_thickness() {
+    constexpr double kFriction = 0.25, kDrag = 1208, kExponent = 0.375;
+    Params params = numbers(kFriction, kDrag);
+    params.drag_exponent = static_cast<float>(kExponent);
+    Series stays{"voellmy", "v at terminal", 1e-12, 0, {160}, {0}};
+    for (const double rolling : {0.25, 1., 4.})
+        for (const double angle_deg : kAnglesDeg) {
+            const double angle = radians(angle_deg), normal = rolling * std::cos(angle);
+            const double end = std::sqrt(kDrag * std::pow(normal, 1 + kExponent) *
+                                         (std::sin(angle) - kFriction * std::cos(angle)));
+            const double plan = end * std::cos(angle);
+            const Vector v = middle_after(params, angle, radians(30), rolling, plan, 1, 16);
+            stays.errors[0] = std::max(stays.errors[0], std::fabs(std::hypot(v.x, v.y) / plan - 1));
+        }
+    return {stays};
+}
+
+// Along the slope: dv/dt = g (sin θ − μ cos θ (1 + f N h/(f N h + v²))), N h = g cos θ h, integrated finely.
+std::vector<Series> fluidized() {
+    constexpr double kFriction = 0.25, kRolling = 1, kSeconds = 2;
+    const float f = 0.222f;
+    Params params = numbers(kFriction);
+    params.fluidization = f;
+    const double angle = radians(35),
+                 pressed = static_cast<double>(f) * kGravity * kRolling * std::cos(angle) * std::cos(angle);
+    const auto gains = [&](double v) {
+        return kGravity * (std::sin(angle) - kFriction * std::cos(angle) * (1 + pressed / (pressed + v * v)));
+    };
+    double exact = 0;
+    constexpr int kFine = 100000;
+    for (int i = 0; i < kFine; ++i) {
+        const double dt = kSeconds / kFine;
+        exact += dt * gains(exact + dt / 2 * gains(exact));
+    }
+    Series series{"voellmy", "v at 2 s", 4e-3, 0.95, {32, 64, 128}};  // sub-steps
+    for (const int n : series.squares)
+        series.errors.push_back(std::fabs(
+            middle_after(params, angle, 0, kRolling, 0, kSeconds, n).x / (exact * std::cos(angle)) - 1));
+    return {series};
+}
+
+// v = g (sin θ − cos θ (μ + (1 − μ)(1 − e^(−x))/x)) t along the slope, x = h cos θ/h_c; what is thin does not move.
+std::vector<Series> cohesive() {
+    constexpr double kFriction = 0.25, kSeconds = 1;
+    const float depth = 0.05f;
+    Params params = numbers(kFriction);
+    params.cohesion_depth = depth;
+    const auto pull = [&](double angle, double rolling) {
+        const double x = rolling * std::cos(angle) * std::cos(angle) / static_cast<double>(depth);
+        const double friction = kFriction + (1 - kFriction) * -std::expm1(-x) / x;
+        return kGravity * (std::sin(angle) - friction * std::cos(angle)) * std::cos(angle);
+    };
+    Series speed{"voellmy", "v at 1 s", 1e-12, 0, {160}, {0}},
+        rest{"voellmy", "v of a film", 0, 0, {160}, {0}};
+    for (const double angle_deg : kAnglesDeg) {
+        const double angle = radians(angle_deg), exact = pull(angle, 1) * kSeconds;
+        const Vector v = middle_after(params, angle, radians(30), 1, 0, kSeconds, 16);
+        speed.errors[0] = std::max(speed.errors[0], std::fabs(std::hypot(v.x, v.y) / exact - 1));
+    }
+    // The film that just holds on 20 degrees.
+    double holds = 0, goes = 1;
+    for (int i = 0; i < 60; ++i)
+        (pull(radians(20), (holds + goes) / 2) < 0 ? holds : goes) = (holds + goes) / 2;
+    rest.errors[0] = std::fabs(middle_after(params, radians(20), 0, 0.99 * holds, 0, kSeconds, 16).x);
+    Series moves{"voellmy", "v of a thicker film", 1e-12, 0, {160}};
+    moves.errors.push_back(std::fabs(middle_after(params, radians(20), 0, 1.01 * holds, 0, kSeconds, 16).x /
+                                         (pull(radians(20), 1.01 * holds) * kSeconds) -
+                                     1));
+    return {speed, rest, moves};
+}
+
 }  // namespace
 
 extern const Case kFreeSlab{"slab on a plane, no friction, 20, 35, 50 deg, at 0, 30, 45 deg to the grid",
@@ -120,5 +192,11 @@ extern const Case kStopping{"layer on the flat, Coulomb friction", "v = v0 - m g
                             stopping};
 extern const Case kVoellmyTerminal{"terminal speed with drag", "v = sqrt(xi h (sin a - m cos a)) tanh(t/tau)",
                                    terminal};
+extern const Case kThickDrag{"terminal speed with drag that falls with thickness, xi h^(3/8)",
+                             "v = sqrt(xi h^(11/8) (sin a - m cos a))", terminal_by_thickness};
+extern const Case kFluidized{"slab on a plane of 35 deg whose friction falls with its speed",
+                             "dv/dt = g (sin a - m cos a (1 + f N h/(f N h + v^2)))", fluidized};
+extern const Case kCohesive{"slab on a plane with cohesion, 20, 35, 50 deg, and a film that holds",
+                            "v = g (sin a - cos a (m + (1 - m)(1 - exp(-x))/x)) t", cohesive};
 
 }  // namespace sim::verification

@@ -71,6 +71,8 @@ std::optional<std::string> fault_of(const Params& params) {
             return std::string(info.name) + " is " + number_text(value, info.unit) + ", outside " +
                    number_text(info.least) + " to " + number_text(info.most);
     }
+    if (const float eighths = 8 * params.drag_exponent; eighths != std::round(eighths))
+        return "drag_exponent is " + number_text(params.drag_exponent) + ", no multiple of 0.125";
     if (params.model == Model::kBcre && params.start_slope < params.stop_slope)
         return "start_slope is below stop_slope";
     if (params.model == Model::kBcreInertial) {
@@ -89,14 +91,17 @@ std::optional<std::string> fault_of(const Params& params) {
 }
 
 double friction_of(const Params& params, double h) {
-    const double more = double{params.friction_thin} - double{params.friction};
-    return double{params.friction} + more * std::exp(-h / double{params.friction_fold_depth});
+    const double thick = params.friction, more = double{params.friction_thin} - thick;
+    const double slides = thick + more * std::exp(-h / double{params.friction_fold_depth});
+    const double depth = params.cohesion_depth,
+                 sticks = depth > 0 ? (1 - thick) * -std::expm1(-h / depth) * depth / h : 0;
+    return (params.fluidization > 0 ? 2 : 1) * slides + sticks;
 }
 
 Substeps substeps_of(const Params& params, float dx) {
     if (has_momentum(params.model)) {
-        constexpr float kDiagonal = 1.41421356f * kGreatestPlanSpeed;  // the sum of both components
-        const int needed = static_cast<int>(std::ceil(kDiagonal * params.tick_s / dx));
+        const float diagonal = 1.41421356f * params.greatest_speed;  // the sum of both components
+        const int needed = static_cast<int>(std::ceil(diagonal * params.tick_s / dx));
         return {needed, params.tick_s / static_cast<float>(needed)};
     }
     const float speed = params.law == Law::kConstant ? params.rolling_speed : params.max_speed;

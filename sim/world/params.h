@@ -21,6 +21,8 @@ enum class Border { kWall, kOpen, kSink };     // stages.h
 enum Side { kWest, kEast, kSouth, kNorth };
 inline constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
+inline constexpr double kGravity = 9.81;  // m/s²
+
 // Every parameter of the physics, in SI units; slopes are tangents. The defaults describe a slow dry sand.
 // Scenes use the presets in assets/materials. kParams below gives unit, range and meaning of each.
 struct Params {
@@ -61,6 +63,11 @@ struct Params {
     float anchor_margin = 0.02f;
     float anchor_step = 1.f;
 
+    float drag_exponent = 0.f;
+    float fluidization = 0.f;
+    float cohesion_depth = 0.f;
+    float greatest_speed = 150.f;
+
     bool operator==(const Params&) const = default;
 };
 
@@ -76,6 +83,7 @@ struct ParamInfo {
     UsedBy used_by;
     std::string_view meaning;
     bool fixed = false;  // cannot change while a world exists
+    int since = 0;  // minor version of the recordings that have it; in older ones it is the default of Params
 };
 
 inline constexpr ParamInfo kParams[] = {
@@ -127,6 +135,18 @@ inline constexpr ParamInfo kParams[] = {
      "slope added to anchor_gain times the initial slope before natural ground fails"},
     {"anchor_step", "m", &Params::anchor_step, 0.f, 10.f, UsedBy::kBcreInertial,
      "height of a scarp across two cells at which natural ground beside it stays stable"},
+    {"drag_exponent", "1", &Params::drag_exponent, 0.f, 1.f, UsedBy::kMomentum,
+     "power of the thickness with which xi grows: drag is that of 1 m; a multiple of 0.125", true, 1},
+    {"fluidization", "1", &Params::fluidization, 0.f, 10.f, UsedBy::kMomentum,
+     "v2/(N h) at which friction is 1.5 times that of a fast layer; at rest it is twice that; 0: the same at "
+     "any "
+     "speed",
+     false, 1},
+    {"cohesion_depth", "m", &Params::cohesion_depth, 0.f, 10.f, UsedBy::kMomentum,
+     "cohesion at the base over density and g: the thickness that weighs as much", false, 1},
+    {"greatest_speed", "m/s", &Params::greatest_speed, 10.f, 150.f, UsedBy::kMomentum,
+     "greatest speed in plan, which bounds the sub-steps; what is faster is slowed to it and counted", true,
+     1},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {
@@ -158,13 +178,8 @@ std::optional<Border> border_from(std::string_view name);
 // number and the required order of the thresholds.
 std::optional<std::string> fault_of(const Params& params);
 
-// Friction of a layer of thickness h normal to the slope, m, in bcre-inertial (Pouliquen 1999, with an
-// exponential).
+// Friction on level ground of a layer of thickness h, m, at rest, in bcre-inertial (momentum/friction.h).
 double friction_of(const Params& params, double h);
-
-// The greatest speed in plan of the models with momentum, m/s. It bounds the sub-steps; a faster layer is slowed to it, which
-// State::limited counts. Along real paths and steep planes speeds of 103 to 113 m/s occur.
-inline constexpr float kGreatestPlanSpeed = 150;
 
 // Number and length of the sub-steps of a tick. Depends only on the parameters and the cell size, so that a
 // replay never depends on a reduction over the state.

@@ -38,8 +38,8 @@ struct State : Layers<float> {
     std::optional<Mixture> mixture;  // of a world of two materials
     std::optional<Things> things;    // of a world where anything stands or was sculpted
 
-    // Vertices times sub-steps whose speed passed kGreatestPlanSpeed and was cut to it, since the world began;
-    // voellmy only. Not part of the hash, because it follows from the rest.
+    // Vertices times sub-steps whose speed passed greatest_speed and was cut to it, since the world began.
+    // Not part of the hash, because it follows from the rest.
     std::int64_t limited = 0;
     // voellmy: consecutive ticks at whose end no layer had a velocity, at most 2. Not part of the hash.
     int still_ticks = 0;

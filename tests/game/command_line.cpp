@@ -166,12 +166,12 @@ TEST(CommandLine, verifying_tells_a_state_that_was_never_reached) {
 
 TEST(CommandLine, help_of_every_subcommand_names_every_option) {
     const std::pair<const char*, Arguments> options[] = {
-        {"run",
-         {"SCENE",     "--terrain",    "--release", "--thickness",  "--reference",   "--material",
-          "--model",   "--scheme",     "--grid",    "--until-rest", "--seconds",     "--record",
-          "--export",  "--frames",     "--every",   "--size",       "--gl",          "--perf",
-          "--summary", "--trace",      "--json",    "--threads",    "bcre-inertial", "local-lax-friedrichs",
-          "--web",     "--size-limit", "--camera"}},
+        {"run", {"SCENE",        "--terrain",    "--release",    "--thickness",   "--reference",
+                 "--material",   "--model",      "--size-class", "--scheme",      "--grid",
+                 "--until-rest", "--seconds",    "--record",     "--export",      "--frames",
+                 "--every",      "--size",       "--gl",         "--perf",        "--summary",
+                 "--trace",      "--json",       "--threads",    "bcre-inertial", "local-lax-friedrichs",
+                 "--web",        "--size-limit", "--camera"}},
         {"replay",
          {"RECORDING", "--until", "--verify", "--frames", "--every", "--size", "--gl", "--no-render",
           "--perf", "--summary", "--trace", "--json", "--threads", "--web", "--size-limit", "--camera"}},
@@ -235,6 +235,52 @@ TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {
     EXPECT_EQ(summary["squares"], Json({16, 16}));
     EXPECT_EQ(summary["mass"]["error_quanta"], 0);
     EXPECT_EQ(summary["ended"], "time");
+}
+
+// A release of 3200 m3 on a plane of 45 degrees, 20 m wide.
+TEST(CommandLine, run_takes_the_friction_of_the_class_of_its_release) {
+    const support::TemporaryFolder folder;
+    const auto file = [&](const char* name, const std::string& text) {
+        write_bytes(folder.path() / name, text);
+        return (folder.path() / name).string();
+    };
+    const std::string header = "ncols 16\nnrows 24\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+    std::string heights = header, depths = header;
+    for (int row = 0; row < 24; ++row)
+        for (int column = 0; column < 16; ++column) {
+            heights += fmt::format("{} ", 10 * (23 - row));
+            depths += row > 2 && row < 7 && column > 4 && column < 9 ? "2 " : "0 ";
+        }
+    const std::string material = file("mine.toml",
+                                      "[voellmy]\nfriction = 0.3\n[[size]]\nname = \"tiny\"\nbelow = 1000\n"
+                                      "friction = 0.5\n[[size]]\nname = \"other\"\nfriction = 0.1\n");
+    const std::vector<std::string> usual{"run",
+                                         "--terrain",
+                                         file("hill.asc", heights),
+                                         "--release",
+                                         file("release.asc", depths),
+                                         "--material",
+                                         material,
+                                         "--model",
+                                         "voellmy",
+                                         "--seconds",
+                                         "1",
+                                         "--json"};
+    const auto run = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = usual;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return couloir(arguments);
+    };
+    const Json by_volume = Json::parse(run({}).out), chosen = Json::parse(run({"--size-class", "tiny"}).out),
+               set = Json::parse(run({"--set", "friction=0.5"}).out);
+    EXPECT_EQ(by_volume["size_class"]["name"], "other");
+    EXPECT_NEAR(by_volume["size_class"]["released_m3"].get<double>(), 3200, 1);
+    EXPECT_EQ(chosen["size_class"], Json({{"name", "tiny"}}));
+    EXPECT_EQ(chosen["state_hash"], set["state_hash"]) << "--set goes over the class";
+    EXPECT_NE(chosen["state_hash"], by_volume["state_hash"]);
+    const Finished refused = run({"--size-class", "huge"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("mine has tiny, other"), std::string::npos) << refused.err;
 }
 
 // The energy is summed by tiles, so its end must not depend on how many threads swept them.

@@ -451,5 +451,22 @@ TEST_F(Challenge, goes_on_with_the_events_of_its_scene_in_a_branch) {
     EXPECT_EQ(sandbox.commands_so_far()[0], sandbox.scenario().goal->events[0]);
 }
 
+TEST(Need, that_was_nearly_met_is_told_with_the_digits_that_tell_it) {
+    const auto told = [](double most, std::int64_t value, bool met) {
+        Goal::Need need;
+        need.quantity.measure = Measure::kLoad;
+        need.most = most;
+        const NeedText text = text_of(need, {value, met});
+        return text.value + ", " + text.bound;
+    };
+    EXPECT_EQ(told(4.9, 4937, false), "4.94 kPa, at most 4.90 kPa");
+    EXPECT_EQ(told(4.9, 4901, false), "4.901 kPa, at most 4.900 kPa");
+    EXPECT_EQ(told(4.9, 4900, true), "4.9 kPa, at most 4.9 kPa");
+    EXPECT_EQ(told(4.9, 8213, false), "8.2 kPa, at most 4.9 kPa");
+    EXPECT_EQ(told(5, 5012, false), "5.01 kPa, at most 5.00 kPa");
+    EXPECT_EQ(told(120, 120'400, false), "120.4 kPa, at most 120.0 kPa");
+    EXPECT_EQ(told(120, 300'400, false), "300 kPa, at most 120 kPa");
+}
+
 }  // namespace
 }  // namespace game::test

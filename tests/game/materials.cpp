@@ -115,6 +115,52 @@ TEST(Material, converts_angles_to_slopes_and_srgb_to_linear_light) {
     EXPECT_EQ(load_material(path.string(), sim::Model::kBcre).value().density, 312.5);
 }
 
+TEST(Material, converts_cohesion_to_the_thickness_that_weighs_as_much) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "mine.toml";
+    write_bytes(path, "density = 200\n[voellmy]\ncohesion = 98.1\n");
+    const auto material = load_material(path.string(), sim::Model::kVoellmy);
+    ASSERT_TRUE(material) << material.error().sentence;
+    EXPECT_FLOAT_EQ(material->params.cohesion_depth, 0.05f);  // N0/(rho g)
+}
+
+constexpr const char* kThreeSizes = R"(density = 200
+[voellmy]
+friction = 0.17
+drag = 1208
+[[size]]
+name = "small"
+below = 25000
+friction = 0.22
+cohesion = 98.1
+[[size]]
+name = "medium"
+below = 60000
+[[size]]
+name = "large"
+friction = 0.155
+)";
+
+TEST(Material, has_the_friction_of_the_class_of_a_volume) {
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "mine.toml";
+    write_bytes(path, kThreeSizes);
+    const auto material = load_material(path.string(), sim::Model::kVoellmy);
+    ASSERT_TRUE(material) << material.error().sentence;
+    const auto named = [&](double volume) { return size_of(*material, volume)->name; };
+    EXPECT_EQ(named(0), "small");
+    EXPECT_EQ(named(24'999.9), "small");
+    EXPECT_EQ(named(25'000), "medium");
+    EXPECT_EQ(named(60'000), "large");
+    EXPECT_EQ(named(1e12), "large");
+    EXPECT_EQ(size_of(*material, 1)->params.friction, 0.22f);
+    EXPECT_FLOAT_EQ(size_of(*material, 1)->params.cohesion_depth, 0.05f);
+    EXPECT_EQ(size_of(*material, 1)->params.drag, 1208) << "as the material";
+    EXPECT_EQ(size_of(*material, 3e4)->params, material->params);
+    write_bytes(path, "[voellmy]\n");
+    EXPECT_FALSE(size_of(load_material(path.string(), sim::Model::kVoellmy).value(), 1));
+}
+
 TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "mine.toml";
@@ -125,6 +171,17 @@ TEST(Material, with_a_fault_is_refused_with_file_line_and_key) {
         {"[bcre]\n[bcre-inertial]\nrelaxation_time = 2\n", ":3: bcre-inertial.relaxation_time"},
         {"[bcre]\n[bcre-inertial]\nfriction = -1\n", ":3: bcre-inertial.friction"},
         {"[bcre]\nstop_angle = \"steep\"\n", ":2: bcre.stop_angle"},
+        {"density = 200\n[bcre]\n[voellmy]\ncohesion = -50\n", ":4: voellmy.cohesion"},
+        {"[bcre]\n[voellmy]\ncohesion = 50\n", ":3: voellmy.cohesion needs the density"},
+        {"[bcre]\n[voellmy]\ndrag_exponent = 3\n", ":3: voellmy.drag_exponent"},
+        {"[bcre]\n[[size]]\nname = \"small\"\nbelow = 100\n", ":4: size.below leaves a gap: from 100 m3 on"},
+        {"[bcre]\n[[size]]\nname = \"a\"\n[[size]]\nname = \"b\"\n", ":4: size overlaps with 'a'"},
+        {"[bcre]\n[[size]]\nname = \"a\"\nbelow = 9\n[[size]]\nname = \"b\"\nbelow = 9\n",
+         ":7: size.below is 9, so the class overlaps with 'a', below 9"},
+        {"[bcre]\n[[size]]\nname = \"a\"\nbelow = 9\n[[size]]\nname = \"a\"\n", ":6: size.name"},
+        {"[bcre]\n[[size]]\nbelow = 9\n", ":2: size.name"},
+        {"[bcre]\n[[size]]\nname = \"a\"\nerosion_rate = 1\n", ":4: size.erosion_rate"},
+        {"[bcre]\n[voellmy]\ndrag_exponent = 0.3\n", ":3: voellmy.drag_exponent is no multiple of 0.125"},
         {"[look]\nstanding = [1, 2, 256]\n[bcre]\n", ":2: look.standing"},
         {"[look]\nstanding = [1, 2]\n[bcre]\n", ":2: look.standing"},
         {"[look]\nsparkle = 1\n[bcre]\n", ":2: look.sparkle"},

@@ -102,6 +102,25 @@ TEST_F(ForgedHeader, of_a_newer_minor_version_is_named_where_something_in_it_is_
     refused_with("{\"end\":0");
 }
 
+// A parameter that came later is its default in an older recording, and missing in one that should have it.
+TEST_F(ForgedHeader, of_an_older_minor_version_lacks_what_came_later) {
+    const Json whole = header_;
+    for (const sim::ParamInfo& info : sim::kParams) {
+        header_ = whole;
+        header_["physics"].erase(std::string(info.name));
+        for (int minor = 0; minor <= kFormatMinor; ++minor) {
+            header_["version"] = {1, minor};
+            const auto recording = read(header_);
+            ASSERT_EQ(recording.has_value(), minor < info.since) << info.name << ", minor " << minor;
+            if (recording)
+                EXPECT_EQ(recording->header.scenario.params.*info.value, sim::Params().*info.value);
+            else
+                EXPECT_NE(recording.error().sentence.find(info.name), std::string::npos)
+                    << recording.error().sentence;
+        }
+    }
+}
+
 TEST_F(ForgedHeader, of_a_newer_minor_version_may_have_unknown_fields) {
     header_["version"] = {1, kFormatMinor + 1};
     header_["snow_crystals"] = {{"kind", "dendrite"}};

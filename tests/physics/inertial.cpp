@@ -217,7 +217,7 @@ TEST(Avalanche, stays_positive_and_conserves_mass_at_its_greatest_speed) {
         params.erosion_rate = static_cast<float>(within(10));
         params.deposit_rate = static_cast<float>(within(100));
         Play play(ground, params);
-        const float most = sim::kGreatestPlanSpeed;
+        const float most = params.greatest_speed;
         for (int y = 0; y < 17; ++y)
             for (int x = 0; x < 17; ++x) {
                 play.state.velocity_x(x, y) = static_cast<float>(within(2) - 1) * most;

@@ -233,7 +233,7 @@ class RandomWorlds {
     static constexpr int kSide = 12, kSubsteps = 24;
     static constexpr double kCell = 50;  // m
     static constexpr double kLongest =
-        kCell / (std::numbers::sqrt2 * sim::kGreatestPlanSpeed);  // sub-step, s
+        kCell / (std::numbers::sqrt2 * sim::Params().greatest_speed);  // sub-step, s
     struct Vertex {
         double bedrock, rolling, u, v;
     };

@@ -131,7 +131,7 @@ TEST(Step, never_makes_a_depth_negative_or_a_speed_too_high) {
     for (const Physics& p : kPhysics) {
         Play play(support::rough(24, 2, 3), lively(p.model, p.scheme));
         const float fastest =
-            sim::has_momentum(p.model) ? sim::kGreatestPlanSpeed : play.state.params.max_speed;
+            sim::has_momentum(p.model) ? play.state.params.greatest_speed : play.state.params.max_speed;
         std::mt19937 random(5);
         for (int tick = 0; tick < 600; ++tick) {
             play.ticks(1, tick % 10 == 0 ? any_commands(random, 48) : std::vector<sim::Command>{});

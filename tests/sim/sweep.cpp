@@ -97,6 +97,23 @@ TEST(Sweep, is_the_plain_step_to_the_bit_where_the_exchange_is_strong_and_the_fl
             }
 }
 
+TEST(Sweep, is_the_plain_step_to_the_bit_with_every_friction) {
+    const struct {
+        int eighths;
+        float fluidization, cohesion_depth, greatest_speed;
+    } trials[] = {{3, 0.222f, 0.04f, 150}, {4, 0, 0.04f, 10}, {8, 0.222f, 0, 150}};
+    for (const sim::Model model : {sim::Model::kBcreInertial, sim::Model::kVoellmy})
+        for (const auto& trial : trials) {
+            sim::Params params = support::lively(model);
+            params.drag_exponent = static_cast<float>(trial.eighths) / 8;
+            params.fluidization = trial.fluidization;
+            params.cohesion_depth = trial.cohesion_depth;
+            params.greatest_speed = trial.greatest_speed;
+            expect_same(support::rough(40, 2, 5), params, 30, nothing,
+                        std::string(sim::to_string(model)) + ", eighths " + std::to_string(trial.eighths));
+        }
+}
+
 TEST(Sweep, is_the_plain_step_to_the_bit_under_any_hand_while_most_of_the_world_sleeps) {
     for (const Physics& physics : kPhysics) {
         support::Ground ground = support::plane(150, 2, 0.62, 2);  // between stop and start
