@@ -81,9 +81,9 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         }
         const Gradient<Number> b{at<Number>(slope_x, i), at<Number>(slope_y, i)};
         const Number cos = at<Number>(cosine, i), u = at<Number>(from_u, i), v = at<Number>(from_v, i);
-        const auto squared_along_slope = [&](const Number& x, const Number& y) {
-            const Number rises = b.x * x + b.y * y;
-            return (x * x + y * y) + rises * rises;
+        const auto squared_along_slope = [&](const Number& east, const Number& north) {
+            const Number rises = b.x * east + b.y * north;
+            return (east * east + north * north) + rises * rises;
         };
         const auto around_it = walls_around<has_things, Number>(walls, ground, i, r, u, v);
         const Gradient<Number> z = driving_gradient<Number>(ground, rolling, i, r, u, v, c, around_it);

@@ -61,9 +61,9 @@ auto reconstruct(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                 return;
             }
             const Number cross_x = c.courant * u.value(i), cross_y = c.courant * v.value(i);
-            const auto predict = [&](const Of& each, const Number& x, const Number& y) {
-                store(x, each.to_x + i), store(y, each.to_y + i);
-                return each.value(i) - (cross_x * x + cross_y * y);
+            const auto predict = [&](const Of& each, const Number& half_x, const Number& half_y) {
+                store(half_x, each.to_x + i), store(half_y, each.to_y + i);
+                return each.value(i) - (cross_x * half_x + cross_y * half_y);
             };
             const Number u_x = u.x(i), v_y = v.y(i);
             store<Number>(predict(rolling, rolling.x(i), rolling.y(i)) - r * (c.courant * (u_x + v_y)),
