@@ -19,7 +19,8 @@ inline const std::vector<std::string> kExportedNames{
 
 // Writes an avalanche's results for a GIS. GeoTIFF and ESRI ASCII: deposit and peak depth (vertical m), peak thickness
 // (m normal to the slope), peak speed along the slope and in plan, peak impact pressure (kPa) if densities are known, and,
-// if there are two materials, how much of the lower one was moved. GeoJSON: the extent's outline. Also summary.json. Errors: a file cannot be written (status 3).
+// if there are two materials, how much of the lower one was moved. GeoJSON: the extent's outline. Also summary.json.
+// Errors: a file cannot be written (status 3).
 Outcome<void> export_results(const std::filesystem::path& folder, const Scenario& scenario,
                              const Session& session, const Summary& summary);
 

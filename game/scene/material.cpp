@@ -163,6 +163,7 @@ Outcome<Material> load_material(std::string_view name_or_path, sim::Model model)
         has_block |= each == model;
     }
     read_sizes(root, model, material);
+    if (!sim::has_momentum(model)) material.sizes.clear();  // it has no friction
     root.finish();
     if (fault) return unusable(*fault);
     if (!has_block)

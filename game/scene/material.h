@@ -26,8 +26,9 @@ struct Material {
     std::string title;              // "loose dry snow"
     std::optional<double> density;  // kg/m³, while it flows; 1 to 3000
     render::Look look;
-    sim::Params params;            // of the requested model
-    std::vector<SizeClass> sizes;  // by rising volume, without gaps; empty: one friction for all
+    sim::Params params;  // of the requested model
+    std::vector<SizeClass>
+        sizes;  // by rising volume, without gaps; empty: one friction for all, or none in bcre
 };
 // The class of avalanches that release so much; null if the material has no classes.
 const SizeClass* size_of(const Material& material, double released_m3);

@@ -27,7 +27,7 @@ class PeakWatch {
 
     // Looks at a world, at its start and after every tick; takes note in the world's tiles of what was looked at.
     void see(sim::State& state);
-    // Goes on from maxima found earlier.
+    // Continues from maxima found earlier.
     void go_on(const Peaks& peaks) { peaks_ = peaks; }
 
     const Peaks& peaks() const { return peaks_; }

@@ -9,7 +9,6 @@
 namespace sim::verification {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr int kSquares = 160;
 constexpr float kCell = 5;  // m, so that nothing of the borders reaches the middle
 

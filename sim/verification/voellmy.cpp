@@ -12,7 +12,6 @@
 namespace sim::verification {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr std::array kAnglesDeg{20., 35., 50.};
 
 double radians(double degrees) {

@@ -12,8 +12,6 @@
 namespace sim::verification {
 namespace {
 
-constexpr double kGravity = 9.81;
-
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }

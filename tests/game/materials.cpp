@@ -157,6 +157,8 @@ TEST(Material, has_the_friction_of_the_class_of_a_volume) {
     EXPECT_FLOAT_EQ(size_of(*material, 1)->params.cohesion_depth, 0.05f);
     EXPECT_EQ(size_of(*material, 1)->params.drag, 1208) << "as the material";
     EXPECT_EQ(size_of(*material, 3e4)->params, material->params);
+    write_bytes(path, kThreeSizes + std::string("[bcre]\n"));
+    EXPECT_FALSE(size_of(load_material(path.string(), sim::Model::kBcre).value(), 1)) << "it has no friction";
     write_bytes(path, "[voellmy]\n");
     EXPECT_FALSE(size_of(load_material(path.string(), sim::Model::kVoellmy).value(), 1));
 }

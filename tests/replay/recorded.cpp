@@ -28,6 +28,20 @@ void expect_done(const Outcome<void>& outcome) {
     if (!outcome) throw std::runtime_error(outcome.error().sentence);
 }
 
+// Plays the whole recording; `look` is called at the start and after each tick.
+template <class Look>
+void play(Session& session, const Recording& recording, Look&& look) {
+    look();
+    std::vector<sim::Command> due;
+    while (session.state().tick < recording.last_tick()) {
+        due.clear();
+        for (const TimedCommand& each : commands_at(recording.commands, session.state().tick))
+            due.push_back(each.command);
+        expect_done(session.advance(due));
+        look();
+    }
+}
+
 // Plays the whole recording into the file `again`.
 Played play_into(const std::filesystem::path& again, const Recording& recording,
                  const sim::StepOptions& options) {
@@ -35,15 +49,7 @@ Played play_into(const std::filesystem::path& again, const Recording& recording,
                                   Recorder::create(again, recording.header.scenario).value())
                        .value();
     Verifier verifier(recording);
-    verifier.look_at(session);
-    std::vector<sim::Command> due;
-    while (session.state().tick < recording.last_tick()) {
-        due.clear();
-        for (const TimedCommand& each : commands_at(recording.commands, session.state().tick))
-            due.push_back(each.command);
-        expect_done(session.advance(due));
-        verifier.look_at(session);
-    }
+    play(session, recording, [&] { verifier.look_at(session); });
     expect_done(session.finish());
     return {verifier.verdict(), session.state_line().hash};
 }
@@ -85,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Recordings, Recorded,
                              return text;
                          });
 
-// A hut, a forest and a pit: loads, lengths and volumes come from other code each.
+// A hut, a forest, a pit and a road: loads, lengths and volumes come from other code each.
 TEST(Challenge, scores_what_its_recording_claims_on_every_processor) {
     for (const char* name :
          {"hut-on-the-rib_won", "plant-the-forest_won", "quarry_won", "open-at-five_won"}) {
@@ -95,14 +101,7 @@ TEST(Challenge, scores_what_its_recording_claims_on_every_processor) {
         const Scenario& scenario = recording.header.scenario;
         Session session = Session::begin(scenario, {}, std::nullopt).value();
         Referee referee(scenario, recording.commands);
-        std::vector<sim::Command> due;
-        while (session.state().tick < recording.last_tick()) {
-            due.clear();
-            for (const TimedCommand& each : commands_at(recording.commands, session.state().tick))
-                due.push_back(each.command);
-            expect_done(session.advance(due));
-            referee.see(session);
-        }
+        play(session, recording, [&] { referee.see(session); });
         const auto score = referee.decide();
         ASSERT_TRUE(score) << name << ": " << score.error().sentence;
         ASSERT_TRUE(recording.claim) << name;
