@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <tl/expected.hpp>
 
