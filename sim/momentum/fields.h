@@ -36,6 +36,8 @@ struct alignas(64) Constants {
     int drag_eighths;       // 8 p
     Scalar fluidization, cohesion, per_cohesion_depth;  // f; 1 − μ; 1/h_c, 1/m, or 0
     Scalar greatest_speed;                              // m/s, in plan
+    Scalar levelling;                                   // ½ of it (transport.h)
+    Scalar held_rise;  // μ Δx, m: rise of the surface over a cell at which friction holds a layer
 
     // bcre-inertial only.
     Scalar eroded_per_speed, erosion_slope, erosion_depth;  // k Δt, s; 1; m
@@ -68,6 +70,8 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .cohesion = 1 - p.friction,
             .per_cohesion_depth = p.cohesion_depth > 0 ? 1 / Scalar{p.cohesion_depth} : Scalar{0},
             .greatest_speed = p.greatest_speed,
+            .levelling = Scalar(0.5) * p.levelling,
+            .held_rise = p.friction * dx,
             .eroded_per_speed = p.erosion_rate * sub.dt,
             .erosion_slope = p.erosion_slope,
             .erosion_depth = p.erosion_depth,
@@ -94,10 +98,11 @@ struct MovingLayers {
 template <class Values>
 struct Fields {
     Values slope_x, slope_y, cosine;  // gradient B of the smoothed ground, and cos θ = 1/√(1 + |B|²)
-    Values driven_u, driven_v;        // velocity after the forces and the exchange of the sub-step, m/s
-    Values held;                      // 1 where friction holds the layer at rest, else 0
-    Values exchanged;                 // m that the standing layer loses, a deposit negative
-    Values fed;                       // R after that, m
+    Values surface_x, surface_y;  // half of the limited slopes of b + d + R over a cell, m; with levelling
+    Values driven_u, driven_v;    // velocity after the forces and the exchange of the sub-step, m/s
+    Values held;                  // 1 where friction holds the layer at rest, else 0
+    Values exchanged;             // m that the standing layer loses, a deposit negative
+    Values fed;                   // R after that, m
     // At half of the sub-step, by transport alone; and half of the limited slopes over a cell, along x and y.
     Values mid_rolling, mid_u, mid_v;  // m, m/s
     Values rolling_x, u_x, v_x;
@@ -114,6 +119,8 @@ constexpr void each_field(Visit&& visit, Lists&... f) {
     visit("slope_x", f.slope_x...);
     visit("slope_y", f.slope_y...);
     visit("cosine", f.cosine...);
+    visit("surface_x", f.surface_x...);
+    visit("surface_y", f.surface_y...);
     visit("driven_u", f.driven_u...);
     visit("driven_v", f.driven_v...);
     visit("held", f.held...);

@@ -26,6 +26,9 @@ namespace sim::momentum {
 // The greatest normal acceleration, as a multiple of g: where the ground bends within few cells, H is a guess.
 inline constexpr float kGreatestNormal = 4;
 
+// A surface that falls by less than this share of a layer counts as level.
+inline constexpr float kLevel = 0.125f;
+
 // (G |∇z|ₛ)², by which gravity and pressure drive a layer along the slope, times Δt².
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number drive_squared(const Gradient<Number>& b, const Gradient<Number>& z,
@@ -36,30 +39,30 @@ template <class Number, class S = Scalar<Number>>
 }
 
 // ∇z as it drives a layer of thickness `own` with velocity (u, v). In a pit along x or y, where the surface rises on
-// both sides by more than that, a side where less than half as much rolls may brake, but not drive: what stands still beside a layer,
-// as the wall of a hole does, would push it for ever.
+// both sides by more than that, a side where less than half as much rolls may brake, but not drive: what stands still beside a
+// layer, as the wall of a hole does, would push it for ever. With levelling, which takes back what is pushed uphill, level
+// ground is pit enough: else a layer is pushed for ever up to that depth, and both layers in a pond of two cells together.
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Gradient<Number> driving_gradient(const GroundRows<S>& ground,
                                                                 const LayerAround<S>& rolling, int i,
                                                                 const Number& own, const Number& u,
                                                                 const Number& v, const Constants<S>& c,
                                                                 const auto& walls) {
-    const Number none(0), r = at<Number>(rolling.here, i);
+    const Number none(0), deep = c.levelling > S{0} ? Number(S(-kLevel) * own) : own;
     const auto of = [&](const Number& rise_back, const Number& rise_ahead, const Number& r_back,
                         const Number& r_ahead, const Number& velocity, const auto& wall_back,
                         const auto& wall_ahead) {
-        const Number back = walls.beside(rise_back + (r - r_back), wall_back),
-                     ahead = walls.beside(rise_ahead + (r_ahead - r), wall_ahead);
+        const Number back = walls.beside(rise_back, wall_back), ahead = walls.beside(rise_ahead, wall_ahead);
         const Number mean = (back + ahead) * c.per_two_cells;
-        const auto pit = min(-back, ahead) > own && mean * velocity <= S{0};
+        const auto pit = min(-back, ahead) > deep && mean * velocity <= S{0};
         const Number beside = select(mean < S{0}, r_back, r_ahead);  // on the higher side
         return select(pit && beside < S(0.5) * own, none, mean);
     };
-    return {
-        of(rise<Number>(ground.here, i - 1, ground.here, i), rise<Number>(ground.here, i, ground.here, i + 1),
-           at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1), u, walls.west, walls.east),
-        of(rise<Number>(ground.south, i, ground.here, i), rise<Number>(ground.here, i, ground.north, i),
-           at<Number>(rolling.south, i), at<Number>(rolling.north, i), v, walls.south, walls.north)};
+    const Rises<Number> z = surface_rises<Number>(ground, rolling, i);
+    return {of(z.west, z.east, at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1), u,
+               walls.west, walls.east),
+            of(z.south, z.north, at<Number>(rolling.south, i), at<Number>(rolling.north, i), v, walls.south,
+               walls.north)};
 }
 
 // Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine, of a world with things also drag and walls; writes

@@ -83,6 +83,27 @@ template <class Number>
     return {a.x + b.x, a.y + b.y};
 }
 
+// Rises of the surface b + d + R to a vertex from its western and southern neighbour, and from it to the others, m.
+template <class Number>
+struct Rises {
+    Number west, east, south, north;
+};
+template <class Number, class S = Scalar<Number>>
+[[gnu::always_inline]] inline Rises<Number> surface_rises(const GroundRows<S>& ground,
+                                                          const LayerAround<S>& rolling, int i) {
+    const Number r = at<Number>(rolling.here, i);
+    return {rise<Number>(ground.here, i - 1, ground.here, i) + (r - at<Number>(rolling.here, i - 1)),
+            rise<Number>(ground.here, i, ground.here, i + 1) + (at<Number>(rolling.here, i + 1) - r),
+            rise<Number>(ground.south, i, ground.here, i) + (r - at<Number>(rolling.south, i)),
+            rise<Number>(ground.here, i, ground.north, i) + (at<Number>(rolling.north, i) - r)};
+}
+
+// Half of the mean of two differences, at most the gentler one (monotonised central, van Leer 1977): exact for a parabola.
+template <class Number>
+[[gnu::always_inline]] inline Number half_mean_slope(const Number& back, const Number& ahead) {
+    return minmod<Number>(Scalar<Number>(0.25) * (back + ahead), minmod(back, ahead));
+}
+
 // vᵀ H v, the acceleration by which the ground bends toward (positive) a velocity, m/s².
 template <class Number, class S = Scalar<Number>>
 [[gnu::always_inline]] inline Number bending(const GroundRows<S>& rows, int i, const Number& u,

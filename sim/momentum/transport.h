@@ -15,6 +15,16 @@
 //     w > 0:  F = R_l w Δt/Δx                  carries (u_l, v_l)
 //     w < 0:  the mirror image
 //
+// Levelling. Forces see the surface z = b + d + R over two cells; where it jumps between neighbours, as in a checkerboard, they
+// see nothing. The share `levelling` of what an acoustic Riemann solver adds there is taken from the joint velocity:
+//
+//     w ← w − ½ √(g/h) cos θ J     J = z_r − z_l − ½ (σ_left + σ_right): at most z_r − z_l, and R of the higher side
+//
+// σ: slopes of z by monotonised central differences, so that J vanishes where z is smooth. Sub-steps longer than Δx/4√(g h) level
+// as one of that length. What moves is levelled; what friction holds beside it only if z rises through the face by over ½ μ Δx.
+// (If what is held always gave way, a layer at the foot of a steep wall would flow for ever toward a neighbour that hands all
+// back. If it gave way from μ Δx on, a deposit would keep half as much again of its checkerboard.)
+//
 // Prediction makes it second order in time with one flux per face. It also takes the part of σ that would leave
 // less momentum behind than a vertex keeps: what leaves is the part nearest to the face.
 //
@@ -138,10 +148,9 @@ struct Faces {
     FaceRow<Number> begun, rolling, across, along;  // R before transport; the others at half of the sub-step
     FaceRow<Number> rolling_half, across_half, along_half;
     FaceRow<Number> slope_across, slope_along, cosine;
+    FaceRow<Number> bedrock, lies, rolls, surface_half, driven_across, driven_along;
     S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
-    // Of a world with things: rise of bedrock at walls, and the layers before the sub-step.
-    const S* wall;
-    FaceRow<Number> lies, rolls, driven;
+    const S* wall;  // of a world with things: rise of bedrock at walls
 
     [[gnu::always_inline]] void operator()(int i) const {
         const Number none(0);
@@ -154,7 +163,8 @@ struct Faces {
                             v = along.at_face(along_half, i);
         // Prediction may leave R at a nearly empty face below 0; then w would no longer be a mean.
         const Number r_l = max(r.left, none), r_r = max(r.right, none);
-        const Number w = (r_l * u.left + r_r * u.right) / max(r_l + r_r, Number(S(1e-30)));
+        Number w = (r_l * u.left + r_r * u.right) / max(r_l + r_r, Number(S(1e-30)));
+        if (c.levelling > S{0}) w -= levelling(i, r_l, r_r);
         const auto forth = w > S{0};
         const auto may = of_side<Number>(forth, had) > kThin<Number>;
         store(select(may, c.courant * select(forth, r_l, r_r) * w, none), flux + i);
@@ -176,6 +186,24 @@ struct Faces {
         store(arrives.u, turned_across + i), store(arrives.v, turned_along + i);
     }
 
+    // What is taken from w, m/s, between layers of these thicknesses at the face.
+    [[gnu::always_inline]] Number levelling(int i, const Number& r_l, const Number& r_r) const {
+        const Sides<Number> b = bedrock.at_vertices(i), d = lies.at_vertices(i), r = rolls.at_vertices(i);
+        const Sides<Number> half = surface_half.at_vertices(i), cos = cosine.at_vertices(i);
+        const Number rises = ((b.right - b.left) + (d.right - d.left)) + (r.right - r.left);
+        const Number none(0), least = max(min(rises, none), -r_l), most = min(max(rises, none), r_r);
+        const Number jump = min(max(rises - (half.left + half.right), least), most);
+
+        const Sides<Number> u = driven_across.at_vertices(i), v = driven_along.at_vertices(i);
+        const Number left = max(abs(u.left), abs(v.left)), right = max(abs(u.right), abs(v.right));
+        const Number gives = select(jump > S{0}, right, left);
+        const auto acts = select(S(2) * abs(rises) > c.held_rise, max(left, right), gives) > S{0};
+        const Number thick = max(S(0.5) * (r_l + r_r), Number(kThin<Number>));
+        const Number per_wave = sqrt(S(kGravity) * (cos.left * cos.right) / thick);
+        const Number per_step = S(0.25) / (c.courant * thick);
+        return select(acts, c.levelling * min(per_wave, per_step) * jump, none);
+    }
+
     // What is toward a wall passes by its head alone.
     [[gnu::always_inline]] void climb(int i, const Number& rise, const auto& forth,
                                       const Velocity<Number>& leaves, const Velocity<Number>& arrives) const {
@@ -184,7 +212,7 @@ struct Faces {
         const Sides<Number> d = lies.at_vertices(i), r = rolls.at_vertices(i);
         const Number stands_out =
             (abs(rise) + select(up_right, d.right - d.left, d.left - d.right)) - of_side<Number>(up_right, r);
-        const Sides<Number> v = driven.at_vertices(i);
+        const Sides<Number> v = driven_across.at_vertices(i);
         const Number toward = select(up_right, v.left, -v.right);
         const auto climbs = abs(rise) > S{0} && stands_out > S{0} && select(forth, rise, -rise) > S{0};
         const Number share = share_over<Number>(max(stands_out, none), toward);
@@ -194,13 +222,11 @@ struct Faces {
     }
 };
 
-// Along x, faces y = 0 … ny. Reads what reconstruct() and find_ground() wrote, and fed, of a world with things also d, R
-// and walls; writes the wanted flux, and
-// its velocity where it leaves and where it arrives.
+// Along x, faces y = 0 … ny. Reads b, d, R, and what find_ground(), drive() and reconstruct() wrote, of a world with things
+// also walls; writes the wanted flux, and its velocity where it leaves and where it arrives.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
-    const auto row_by_wall = [&](const Rows<S>& rows) { return has_things ? row(rows) : FaceRow<Number>{}; };
     return Faces<Number, has_things>{w.c,
                                      row(w.fed),
                                      row(w.mid_rolling),
@@ -212,21 +238,23 @@ auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      row(w.slope_x),
                                      row(w.slope_y),
                                      row(w.cosine),
+                                     row(w.bedrock),
+                                     row(w.u0.depth),
+                                     row(w.u0.rolling),
+                                     row(w.surface_x),
+                                     row(w.driven_u),
+                                     row(w.driven_v),
                                      to.flux_x[y],
                                      to.leaving_xu[y],
                                      to.leaving_xv[y],
                                      to.turned_xu[y],
                                      to.turned_xv[y],
-                                     thing_row<has_things>(w.things.wall_x, y),
-                                     row_by_wall(w.u0.depth),
-                                     row_by_wall(w.u0.rolling),
-                                     row_by_wall(w.driven_u)};
+                                     thing_row<has_things>(w.things.wall_x, y)};
 }
 // Along y.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
-    const auto row_by_wall = [&](const Rows<S>& rows) { return has_things ? row(rows) : FaceRow<Number>{}; };
     return Faces<Number, has_things>{w.c,
                                      row(w.fed),
                                      row(w.mid_rolling),
@@ -238,15 +266,18 @@ auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      row(w.slope_y),
                                      row(w.slope_x),
                                      row(w.cosine),
+                                     row(w.bedrock),
+                                     row(w.u0.depth),
+                                     row(w.u0.rolling),
+                                     row(w.surface_y),
+                                     row(w.driven_v),
+                                     row(w.driven_u),
                                      to.flux_y[y],
                                      to.leaving_yv[y],
                                      to.leaving_yu[y],
                                      to.turned_yv[y],
                                      to.turned_yu[y],
-                                     thing_row<has_things>(w.things.wall_y, y),
-                                     row_by_wall(w.u0.depth),
-                                     row_by_wall(w.u0.rolling),
-                                     row_by_wall(w.driven_v)};
+                                     thing_row<has_things>(w.things.wall_y, y)};
 }
 // Nothing passes a wall. Faces y = 0 … ny.
 template <class Number, class S = Scalar<Number>>

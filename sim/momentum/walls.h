@@ -175,26 +175,34 @@ template <class Number, class S = Scalar<Number>>
                   Number(0));
 }
 
-// Rows y = 0 … ny-1. Reads b, s, R, of a world with things also walls; writes slope_x, slope_y and cosine, where the layer
-// or a neighbour rolls.
+// Rows y = 0 … ny-1. Reads b, d, s, R, of a world with things also walls; writes slope_x, slope_y, cosine and, with
+// levelling, surface_x and surface_y, where the layer or a neighbour rolls.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_ground(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
-    return [c = w.c, smooth = ground_rows(w, w.smooth_depth, y), walls = wall_rows<has_things>(w, y),
-            rolling = around(w.u0.rolling, y), slope_x = to.slope_x[y], slope_y = to.slope_y[y],
-            cosine = to.cosine[y]](int i) {
+    return [c = w.c, ground = ground_rows(w, w.u0.depth, y), smooth = ground_rows(w, w.smooth_depth, y),
+            walls = wall_rows<has_things>(w, y), rolling = around(w.u0.rolling, y), slope_x = to.slope_x[y],
+            slope_y = to.slope_y[y], cosine = to.cosine[y], surface_x = to.surface_x[y],
+            surface_y = to.surface_y[y]](int i) {
         const Number across = max(at<Number>(rolling.here, i - 1), at<Number>(rolling.here, i + 1));
         const Number along = max(at<Number>(rolling.south, i), at<Number>(rolling.north, i));
         if (!any(max(max(across, along), at<Number>(rolling.here, i)) > S{0})) return;
         const Gradient<Number> b = gradient_beside<has_things, Number>(smooth, i, walls, c);
         store(b.x, slope_x + i), store(b.y, slope_y + i);
         store(cosine_of(b), cosine + i);
+        if (!(c.levelling > S{0})) return;
+        const Rises<Number> z = surface_rises<Number>(ground, rolling, i);
+        store(half_mean_slope(z.west, z.east), surface_x + i);
+        store(half_mean_slope(z.south, z.north), surface_y + i);
     };
 }
 // Beyond the border the ground is level; nothing that arrives there is seen again. Rows y = -1 … ny.
 template <class Number, class S = Scalar<Number>>
 void end_ground(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
     S *slope_x = to.slope_x[y], *slope_y = to.slope_y[y], *cosine = to.cosine[y];
-    const auto level = [&](int i) { slope_x[i] = slope_y[i] = 0, cosine[i] = 1; };
+    S *surface_x = to.surface_x[y], *surface_y = to.surface_y[y];
+    const auto level = [&](int i) {
+        slope_x[i] = slope_y[i] = surface_x[i] = surface_y[i] = 0, cosine[i] = 1;
+    };
     if (w.is_ground(y))
         level(-1), level(w.nx);
     else

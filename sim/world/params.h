@@ -67,6 +67,7 @@ struct Params {
     float fluidization = 0.f;
     float cohesion_depth = 0.f;
     float greatest_speed = 150.f;
+    float levelling = 0.f;
 
     bool operator==(const Params&) const = default;
 };
@@ -147,6 +148,8 @@ inline constexpr ParamInfo kParams[] = {
     {"greatest_speed", "m/s", &Params::greatest_speed, 10.f, 150.f, UsedBy::kMomentum,
      "greatest speed in plan, which bounds the sub-steps; what is faster is slowed to it and counted", true,
      1},
+    {"levelling", "1", &Params::levelling, 0.f, 1.f, UsedBy::kMomentum,
+     "share of the speed by which a surface that jumps between two cells levels itself; 0: none", true, 2},
 };
 
 inline bool is_used_by(const ParamInfo& info, Model model) {

@@ -94,6 +94,7 @@ Scene rough_ground() {
     sim::Params params = numbers();
     params.law = sim::Law::kSlope;
     params.exchange_depth = 0.5f;
+    params.levelling = 1;
     params.borders = {Border::kWall, Border::kOpen, Border::kSink, Border::kWall};
     return {"rough ground", ground, params, {{30, support::pour_at(20, 60, 9, 300, 0.4)}}};
 }

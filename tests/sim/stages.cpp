@@ -69,6 +69,19 @@ struct Momentum {
             for (int x = 0; x < w.nx; ++x) w.driven_u[y][x] = 0, w.driven_v[y][x] = speed;
         each_row([&](int y) { return sim::momentum::exchange<float>(w, w, y); });
     }
+    // The wanted fluxes along x if only the vertex (x, 2) moves, along y.
+    const float* fluxes_beside(int x) {
+        find_forces();
+        w.fed = w.u0.rolling;
+        for (int y = -1; y <= w.ny; ++y)
+            for (int i = -1; i <= w.nx; ++i) w.driven_u[y][i] = w.driven_v[y][i] = 0;
+        w.driven_v[2][x] = 1;
+        for (int y = -1; y <= w.ny; ++y) sim::momentum::end_ground<float>(w, w, y, {0, w.nx});
+        each_row([&](int y) { return sim::momentum::reconstruct<float>(w, w, y); });
+        for (int y = -1; y <= w.ny; ++y) sim::momentum::end_reconstruct<float>(w, w, y, {0, w.nx});
+        each_row([&](int y) { return sim::momentum::find_fluxes_x<float>(w, w, y); });
+        return w.flux_x[2];
+    }
     // Start and rest, where nothing is transported or exchanged.
     void yield() {
         find_forces();
@@ -269,6 +282,45 @@ TEST(Fluxes, never_take_more_than_a_vertex_has) {
             ASSERT_EQ(before, volume() + out * static_cast<double>(sim::kQuantum)) << sim::to_string(scheme);
         }
     }
+}
+
+sim::Params levelled() {
+    sim::Params params = lively(Model::kBcreInertial);
+    params.levelling = 1;
+    return params;
+}
+
+// A level layer of 1 m, in which the vertex in the middle stands higher: J = −rise, h the mean of both sides. A rise of
+// ½ μ Δx = .36 m is held.
+TEST(Levelling, takes_down_a_vertex_that_moves_and_one_that_is_held_only_if_it_is_steep) {
+    constexpr double kCourant = 0.02 / 2, kHeld = 0.5 * 0.36 * 2;
+    const auto flux = [](double rise, int moving) {
+        support::Ground ground({5, 5, 2});
+        ground.set(ground.rolling, [&](double x, double y) { return x == 4 && y == 4 ? 1 + rise : 1; });
+        return static_cast<double>(Momentum(ground, levelled()).fluxes_beside(moving)[3]);
+    };
+    for (const double rise : {0.1, 0.3, 0.5}) {
+        const double levels = kCourant * (1 + rise) * 0.5 * std::sqrt(9.81 / (1 + rise / 2)) * rise;
+        EXPECT_NEAR(flux(rise, 2), levels, 1e-6) << rise;
+        EXPECT_NEAR(flux(rise, 3), rise > kHeld ? levels : 0, 1e-6) << rise;
+        EXPECT_EQ(flux(rise, 0), 0) << rise;
+        // A hole is filled by what moves beside it.
+        EXPECT_NEAR(flux(-rise, 3), -kCourant * 0.5 * std::sqrt(9.81 / (1 - rise / 2)) * rise, 1e-6) << rise;
+        EXPECT_EQ(flux(-rise, 2) < 0, rise > kHeld) << rise;
+    }
+}
+
+// The higher side gives at most what it has: a bare step of bedrock presses nothing.
+TEST(Levelling, is_not_driven_by_bare_ground) {
+    support::Ground ground({5, 5, 2});
+    ground.set(ground.bedrock, [](double x, double) { return x > 4 ? 3 : 0; });
+    ground.set(ground.rolling, [](double x, double) { return x > 4 ? 0 : 1; });
+    EXPECT_EQ(Momentum(ground, levelled()).fluxes_beside(2)[3], 0);
+    ground.set(ground.rolling, [](double x, double) { return x > 4 ? 0.25 : 1; });
+    Momentum momentum(ground, levelled());
+    const double flux = momentum.fluxes_beside(2)[3];
+    const double cos = std::sqrt(momentum.w.cosine[2][2] * momentum.w.cosine[2][3]);
+    EXPECT_NEAR(flux, -0.02 / 2 * 0.25 * 0.5 * std::sqrt(9.81 / 0.625) * cos * 0.25, 1e-6);
 }
 
 TEST(LowerSlope, uses_only_lower_neighbours_and_sees_a_checkerboard) {

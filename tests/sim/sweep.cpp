@@ -100,8 +100,8 @@ TEST(Sweep, is_the_plain_step_to_the_bit_where_the_exchange_is_strong_and_the_fl
 TEST(Sweep, is_the_plain_step_to_the_bit_with_every_friction) {
     const struct {
         int eighths;
-        float fluidization, cohesion_depth, greatest_speed;
-    } trials[] = {{3, 0.222f, 0.04f, 150}, {4, 0, 0.04f, 10}, {8, 0.222f, 0, 150}};
+        float fluidization, cohesion_depth, greatest_speed, levelling;
+    } trials[] = {{3, 0.222f, 0.04f, 150, 1}, {4, 0, 0.04f, 10, 0.5f}, {8, 0.222f, 0, 150, 0}};
     for (const sim::Model model : {sim::Model::kBcreInertial, sim::Model::kVoellmy})
         for (const auto& trial : trials) {
             sim::Params params = support::lively(model);
@@ -109,6 +109,7 @@ TEST(Sweep, is_the_plain_step_to_the_bit_with_every_friction) {
             params.fluidization = trial.fluidization;
             params.cohesion_depth = trial.cohesion_depth;
             params.greatest_speed = trial.greatest_speed;
+            params.levelling = trial.levelling;
             expect_same(support::rough(40, 2, 5), params, 30, nothing,
                         std::string(sim::to_string(model)) + ", eighths " + std::to_string(trial.eighths));
         }
