@@ -13,7 +13,7 @@ struct Subcommand {
     std::vector<std::filesystem::path> inputs = {};
     std::vector<std::string> outputs = {};  // options that take a file
     std::vector<std::string> folders = {};  // options that take a folder, and need no GL
-    std::vector<std::string> drawn = {};    // the same that need GL, and --export, which never draws
+    std::vector<std::string> drawn = {};    // the same that need GL
     std::vector<std::string> needed = {};   // of the options above: it does not run without them
     bool only_refused = false;  // it needs a display, or takes long: tests call it only to be refused
 
