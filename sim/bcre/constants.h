@@ -49,7 +49,7 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
     const bool decays_much = growth * p.stop_slope > Scalar(kExpm1Small);  // on level ground
     const Scalar room = dx / (kSpread * std::max(growth, kNotZero));
     const Scalar strong_pace = growth * kSpread / dx;
-    const Scalar thick_share = -expm1(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
+    const Scalar thick_share = -sim::expm1(Scalar(-strong_pace * p.exchange_depth));  // 1 − e^…
     return {.courant = courant,
             .dither = {sub.dither},
             .outflow_may_exceed_layer = kPeakGives * courant * speed > kMost,

@@ -29,7 +29,7 @@ template <class Number>
     using S = Scalar<Number>;
     const Number room = growth * c.room_per_growth;  // p Δx/κ: the erosion that takes S to the threshold
     const Number end = (rolling + room) * c.strong_pace;  // aK
-    const Number left = -expm1(-end);                     // 1 − E
+    const Number left = -sim::expm1(-end);                // 1 − E
     const auto tiny = abs(end) < S(1e-6);
     const Number phi = select(tiny, Number(1), left / select(tiny, Number(1), end));
     const Number kept = max((1 - left) + rolling * c.strong_pace * phi, Number(1e-30f));

@@ -254,7 +254,7 @@ auto settle(const StageRows<S>& w, StateRows<S>& u, int y, int end, std::uint8_t
             const Number wanted = mean(at<Number>(taken, i), next);
             transfer(max(in_quanta(wanted, c.dither), -carried), lies, rolls);
         } else {
-            transfer(exchanged(carried, slope_dx, expm1_small(growth_of(slope_dx, c)), c), lies, rolls);
+            transfer(exchanged(carried, slope_dx, sim::expm1_small(growth_of(slope_dx, c)), c), lies, rolls);
         }
         bool moves = true;
         if (any(rolls < c.freeze_depth) || i + kLanes < Number >> end) {

@@ -10,7 +10,7 @@ namespace sim {
 inline double degrees_of_slope(double rise, double run) {
     double tangent = rise / run, halvings = 1;
     for (int i = 0; i < 4; ++i) {
-        tangent /= 1 + std::sqrt(1 + tangent * tangent);  // tan(α/2)
+        tangent /= 1 + std::sqrt(1 + tangent * tangent);  // of half the angle
         halvings *= 2;
     }
     // At most tan 5.625°, so that the next term of the series, x^21/21, is below the last bit.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/momentum/fields.h"
+#include "sim/simd/exponential.h"
 
 // Friction at the base of a layer of thickness h normal to the slope, pressed down by N per density:
 //
@@ -26,10 +27,11 @@ template <class Number, class S = Scalar<Number>>
                                                            const Number& squared, const Number& normal,
                                                            const Constants<S>& c) {
     Number slides(c.friction), sticks(0);
-    if (c.friction_more > S{0}) slides = c.friction + c.friction_more * exp(Number(h * -c.per_fold_depth));
+    if (c.friction_more > S{0})
+        slides = c.friction + c.friction_more * sim::exp(Number(h * -c.per_fold_depth));
     if (c.per_cohesion_depth > S{0}) {
         const Number x = max(h * cos * c.per_cohesion_depth, Number(S(1e-6)));
-        sticks = c.cohesion * -expm1(Number(-x)) / x;
+        sticks = c.cohesion * -sim::expm1(Number(-x)) / x;
     }
     if (!(c.fluidization > S{0})) return {slides + sticks, slides + sticks};
     const Number pressed = c.fluidization * (normal * cos * h);

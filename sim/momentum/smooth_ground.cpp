@@ -21,7 +21,8 @@ constexpr double kWeightSteps = 2048;         // of 1
 std::vector<double> weights_of(double dx) {
     const double sigma = std::min(kWidth / dx, kMostCells);
     const auto of = [sigma](int k) {
-        return double{exp(static_cast<float>(-0.5 * k * k / (sigma * sigma)))};  // the same on every machine
+        return double{
+            sim::exp(static_cast<float>(-0.5 * k * k / (sigma * sigma)))};  // the same on every machine
     };
     const int reach = static_cast<int>(std::ceil(kSigmas * sigma));
     double sum = 1;
