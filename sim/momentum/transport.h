@@ -140,26 +140,39 @@ struct FaceRow {
     }
 };
 
+// What is read on both sides of a face in either direction.
+template <class Number>
+struct FaceLayers {
+    FaceRow<Number> begun, rolling;        // R before transport, and at half of the sub-step
+    FaceRow<Number> bedrock, lies, rolls;  // b, d and R before the sub-step
+    FaceRow<Number> cosine;
+};
+template <class Number, class S = Scalar<Number>>
+FaceLayers<Number> layers_at_faces(const StageRows<S>& w, const auto& row) {
+    return {row(w.fed),      row(w.mid_rolling), row(w.bedrock),
+            row(w.u0.depth), row(w.u0.rolling),  row(w.cosine)};
+}
+
 // Faces of one direction. `across` is the component of velocity through the face, `along` the other; slopes
 // likewise.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 struct Faces {
     Constants<S> c;
-    FaceRow<Number> begun, rolling, across, along;  // R before transport; the others at half of the sub-step
+    FaceLayers<Number> layers;
+    FaceRow<Number> across, along;  // at half of the sub-step
     FaceRow<Number> rolling_half, across_half, along_half;
-    FaceRow<Number> slope_across, slope_along, cosine;
-    FaceRow<Number> bedrock, lies, rolls, surface_half, driven_across, driven_along;
+    FaceRow<Number> slope_across, slope_along, surface_half, driven_across, driven_along;
     S *flux, *leaving_across, *leaving_along, *turned_across, *turned_along;
     const S* wall;  // of a world with things: rise of bedrock at walls
 
     [[gnu::always_inline]] void operator()(int i) const {
         const Number none(0);
-        const Sides<Number> had = begun.at_vertices(i);
+        const Sides<Number> had = layers.begun.at_vertices(i);
         if (!any(max(had.left, had.right) > S{0})) {  // true nearly everywhere
             store(none, flux + i);
             return;
         }
-        const Sides<Number> r = rolling.at_face(rolling_half, i), u = across.at_face(across_half, i),
+        const Sides<Number> r = layers.rolling.at_face(rolling_half, i), u = across.at_face(across_half, i),
                             v = along.at_face(along_half, i);
         // Prediction may leave R at a nearly empty face below 0; then w would no longer be a mean.
         const Number r_l = max(r.left, none), r_r = max(r.right, none);
@@ -171,7 +184,7 @@ struct Faces {
 
         const Velocity<Number> leaves{of_side(forth, u), of_side(forth, v)};
         const Sides<Number> bx = slope_across.at_vertices(i), by = slope_along.at_vertices(i),
-                            cos = cosine.at_vertices(i);
+                            cos = layers.cosine.at_vertices(i);
         const Plane<Number> left{bx.left, by.left, cos.left}, right{bx.right, by.right, cos.right};
         const auto pick = [&](const Plane<Number>& a, const Plane<Number>& b) {
             return Plane<Number>{select(forth, a.x, b.x), select(forth, a.y, b.y),
@@ -188,8 +201,9 @@ struct Faces {
 
     // What is taken from w, m/s, between layers of these thicknesses at the face.
     [[gnu::always_inline]] Number levelling(int i, const Number& r_l, const Number& r_r) const {
-        const Sides<Number> b = bedrock.at_vertices(i), d = lies.at_vertices(i), r = rolls.at_vertices(i);
-        const Sides<Number> half = surface_half.at_vertices(i), cos = cosine.at_vertices(i);
+        const Sides<Number> b = layers.bedrock.at_vertices(i), d = layers.lies.at_vertices(i),
+                            r = layers.rolls.at_vertices(i);
+        const Sides<Number> half = surface_half.at_vertices(i), cos = layers.cosine.at_vertices(i);
         const Number rises = ((b.right - b.left) + (d.right - d.left)) + (r.right - r.left);
         const Number none(0), least = max(min(rises, none), -r_l), most = min(max(rises, none), r_r);
         const Number jump = min(max(rises - (half.left + half.right), least), most);
@@ -209,7 +223,7 @@ struct Faces {
                                       const Velocity<Number>& leaves, const Velocity<Number>& arrives) const {
         const Number none(0);
         const auto up_right = rise > S{0};
-        const Sides<Number> d = lies.at_vertices(i), r = rolls.at_vertices(i);
+        const Sides<Number> d = layers.lies.at_vertices(i), r = layers.rolls.at_vertices(i);
         const Number stands_out =
             (abs(rise) + select(up_right, d.right - d.left, d.left - d.right)) - of_side<Number>(up_right, r);
         const Sides<Number> v = driven_across.at_vertices(i);
@@ -228,8 +242,7 @@ template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y] - 1, rows[y]}; };
     return Faces<Number, has_things>{w.c,
-                                     row(w.fed),
-                                     row(w.mid_rolling),
+                                     layers_at_faces<Number>(w, row),
                                      row(w.mid_u),
                                      row(w.mid_v),
                                      row(w.rolling_x),
@@ -237,10 +250,6 @@ auto find_fluxes_x(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      row(w.v_x),
                                      row(w.slope_x),
                                      row(w.slope_y),
-                                     row(w.cosine),
-                                     row(w.bedrock),
-                                     row(w.u0.depth),
-                                     row(w.u0.rolling),
                                      row(w.surface_x),
                                      row(w.driven_u),
                                      row(w.driven_v),
@@ -256,8 +265,7 @@ template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     const auto row = [y](const Rows<S>& rows) { return FaceRow<Number>{rows[y - 1], rows[y]}; };
     return Faces<Number, has_things>{w.c,
-                                     row(w.fed),
-                                     row(w.mid_rolling),
+                                     layers_at_faces<Number>(w, row),
                                      row(w.mid_v),
                                      row(w.mid_u),
                                      row(w.rolling_y),
@@ -265,10 +273,6 @@ auto find_fluxes_y(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
                                      row(w.u_y),
                                      row(w.slope_y),
                                      row(w.slope_x),
-                                     row(w.cosine),
-                                     row(w.bedrock),
-                                     row(w.u0.depth),
-                                     row(w.u0.rolling),
                                      row(w.surface_y),
                                      row(w.driven_v),
                                      row(w.driven_u),

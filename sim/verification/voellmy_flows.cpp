@@ -174,7 +174,7 @@ std::vector<Series> dam_break(double angle_deg, double mu, double most, double l
     return {series};
 }
 std::vector<Series> ritter() {
-    return both([](float levelling) { return dam_break(0, 0, 0.022, 0.85, levelling); });
+    return both([](float levelling) { return dam_break(0, 0, 0.021, 0.85, levelling); });
 }
 std::vector<Series> mangeney() {
     return both([](float levelling) { return dam_break(20, 0.2, 0.022, 0.85, levelling); });

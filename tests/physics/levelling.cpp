@@ -25,11 +25,7 @@ Ground channel(float dx) {
     return ground;
 }
 
-void rest(Play& play, int seconds) {
-    for (int tick = 0; tick < 60 * seconds && (tick == 0 || !sim::at_rest(play.state)); ++tick) play.ticks(1);
-}
-
-// The checkerboard of what lies, root mean square over vertices with more than 0.3 m, m; the bed is smooth.
+// The checkerboard of a deposit, root mean square over vertices with more than 0.3 m, m; the bed is smooth.
 double checkerboard(const sim::State& s) {
     const auto lies = [&](int x, int y) { return static_cast<double>(s.depth(x, y) + s.rolling(x, y)); };
     double sum = 0;
@@ -54,15 +50,15 @@ TEST(Levelling, leaves_little_checkerboard_in_a_deposit) {
         params.friction = 0.4f;
         params.levelling = 1;
         Play play(channel(10), params);
-        rest(play, 120);
+        play.until_rest(120);
         const double rms = checkerboard(play.state);
         EXPECT_LT(rms, 0.08) << sim::to_string(model);
         EXPECT_EQ(play.state.ledger.mass_error(), 0);
     }
 }
 
-// Steps of many metres, as in a gully on coarse cells. What lies at their foot, and in ponds of two cells between them,
-// flowed for ever, by the walls alone: on 7 and 11 before there was levelling, on 3 and 4 with levelling as first tried.
+// Steps of many metres, as in a gully on coarse cells. Layers at their foot, and in ponds of two cells between them, flowed
+// for ever, by the walls alone: on 7 and 11 before there was levelling, on 3 and 4 with levelling as first tried.
 TEST(Levelling, lets_a_layer_rest_among_steep_walls) {
     for (const unsigned seed : {3, 4, 7, 11}) {
         Ground ground = support::rough(48, 10, seed);
@@ -72,7 +68,7 @@ TEST(Levelling, lets_a_layer_rest_among_steep_walls) {
         params.drag = 500;
         for (float& rolling : ground.rolling) rolling *= 10;
         Play play(ground, params);
-        rest(play, 600);
+        play.until_rest(600);
         EXPECT_TRUE(sim::at_rest(play.state)) << seed;
     }
 }

@@ -118,7 +118,7 @@ Slide slide_through_forest(double slope_deg, int stems) {
     blast.x = kWide / 2, blast.y = kForest - 20, blast.radius = 20;
     blast.depth = 1;
     play.ticks(1, {&blast, 1});
-    for (int tick = 1; tick < 60 * 120 && !sim::at_rest(play.state); ++tick) play.ticks(1);
+    play.until_rest(120);
     const sim::Field<sim::Stems>& forest = play.state.things->forest;
     bool breaks = false;
     for (int y = 0; y < forest.ny(); ++y)
@@ -175,7 +175,7 @@ double starts_above_a_trench(double cover, double trench, bool has_nets) {
     }
     play.ticks(6, digs);
     EXPECT_NEAR(static_cast<double>(play.state.depth(kSquares / 2, kTrench)), cover - trench, 1e-3);
-    for (int tick = 0; tick < 60 * 60 && !sim::at_rest(play.state); ++tick) play.ticks(1);
+    play.until_rest(60);
     double started = 0;
     for (int y = 0; y <= kSquares; ++y)
         for (int x = 0; x <= kSquares; ++x)

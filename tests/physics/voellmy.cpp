@@ -62,7 +62,7 @@ Ground heap_on(double tangent) {
 
 TEST(Voellmy, comes_to_rest_exactly_and_then_no_bit_changes) {
     Play play(heap_on(0.2), voellmy(0.3));
-    for (int tick = 0; tick < 60 * 60 && !sim::at_rest(play.state); ++tick) play.ticks(1);
+    play.until_rest(60);
     ASSERT_TRUE(sim::at_rest(play.state));
     EXPECT_EQ(fastest(play.state), 0);
     EXPECT_EQ(play.state.ledger.rolling, play.state.ledger.initial);

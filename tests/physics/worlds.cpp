@@ -85,7 +85,7 @@ double run_out(double turned_deg) {
     params.deposit_speed = 6;
     params.start_slope = 0.84f;
     Play play(ground, params, {.threads = 2});
-    for (int tick = 0; tick < 60 * 90 && !sim::at_rest(play.state); ++tick) play.ticks(1);
+    play.until_rest(90);
     EXPECT_TRUE(sim::at_rest(play.state));
     double farthest = 0;
     for (int y = 0; y <= kSquares; ++y)

@@ -71,6 +71,9 @@ void Play::ticks(int count, std::span<const sim::Command> first) {
     for (int i = 0; i < count; ++i)
         sim::step(state, i == 0 ? first : std::span<const sim::Command>{}, engine);
 }
+void Play::until_rest(int seconds) {
+    for (int tick = 0; tick < 60 * seconds && !sim::at_rest(state); ++tick) ticks(1);
+}
 
 sim::Params lively(sim::Model model, sim::Scheme scheme) {
     sim::Params params;

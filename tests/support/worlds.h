@@ -48,6 +48,8 @@ struct Play {
 
     Play(const Ground& ground, const sim::Params& with, const sim::StepOptions& options = {});
     void ticks(int count, std::span<const sim::Command> first = {});
+    // Until everything rests, for at most so many seconds.
+    void until_rest(int seconds);
 };
 
 // Each scheme of bcre, and the other models.
