@@ -35,6 +35,8 @@ TEST(ShippedMaterials, have_parameters_for_either_model) {
 // The unit of a parameter in a material file, where a slope is given as an angle.
 std::string unit_of(std::string key) {
     if (const auto at = key.find("_angle"); at != std::string::npos) return "deg";
+    if (key == "cohesion") return "Pa";
+    if (key == "below") return "m3";
     for (const sim::ParamInfo& info : sim::kParams)
         if (info.name == key) return std::string(info.unit);
     return "unknown";
@@ -52,8 +54,9 @@ TEST(ShippedMaterials, state_unit_range_and_source_of_each_parameter) {
                 EXPECT_TRUE(std::regex_match(line, number)) << name << ": " << line;
                 has_density = true;
             }
-            if (line.starts_with("[")) physics = line.starts_with("[bcre") || line.starts_with("[voellmy");
-            if (!physics || line.empty() || line.starts_with("[")) continue;
+            if (line.starts_with("["))
+                physics = line.starts_with("[bcre") || line.starts_with("[voellmy") || line == "[[size]]";
+            if (!physics || line.empty() || line.starts_with("[") || line.starts_with("name")) continue;
             std::smatch part;
             ASSERT_TRUE(std::regex_match(line, part, number)) << name << ": " << line;
             EXPECT_EQ(part[3], unit_of(part[1])) << name << ": " << line;

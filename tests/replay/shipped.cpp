@@ -20,10 +20,10 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"landslide", "94e0076896ae05e8"},
+    {"landslide", "30e3f09a0a0cd7f2"},
     {"landslide-bcre", "d941fb9cf4d1fed0"},
-    {"snow-avalanche", "3a0e9c74fdd28315"},
-    {"winter-avalanche", "9724488dd27913ac"},
+    {"snow-avalanche", "2dfe0f955228b5df"},
+    {"winter-avalanche", "e440189c0539f404"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,

@@ -177,7 +177,7 @@ TEST_P(Deposits, have_relief_in_each_triangle_and_little_distortion) {
 }
 
 constexpr Deposit kDeposits[] = {
-    {"landslide", 80, 0.2},         {"snow-avalanche", 80, 0.13},   {"snow-avalanche", 160, 0.2},
+    {"landslide", 80, 0.2},         {"snow-avalanche", 80, 0.13},   {"snow-avalanche", 160, 0.19},
     {"snow-avalanche", 320, 0.14},  {"winter-avalanche", 80, 0.13}, {"winter-avalanche", 160, 0.2},
     {"winter-avalanche", 320, 0.2},
 };
