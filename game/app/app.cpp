@@ -495,9 +495,29 @@ void App::trace_goal() {
         });
 }
 
+// While a tool for earth is in hand.
+void App::trace_dam() {
+    const sim::CommandKind kind = hand_.deed(input_.modifiers()).kind;
+    const bool moves_earth = kind == sim::CommandKind::kSculpt || kind == sim::CommandKind::kSmooth ||
+                             kind == sim::CommandKind::kLevel;
+    const auto& ground = lookout_.ground();
+    if (!moves_earth || !ground || ui_.hides_panels()) return open_.dam_lines.clear();
+    const Session& session = sandbox_->session();
+    const sim::View world = session.view();
+    const ScreenSize size = screen_.size();
+    const Square square = square_under(world.grid, glm::dvec2(*ground));
+    open_.dam_lines.trace(
+        world,
+        {camera(), size.width, size.height, square.x, square.y, world.things ? world.things->changed : 0},
+        [&](std::int64_t quanta) { return session.cubic_metres(quanta); },
+        [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, world); },
+        [&](glm::dvec3 place) { return lookout_.on_screen(place); });
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
+    trace_dam();
     std::optional<Reading> reading;
     if (const auto& ground = lookout_.ground())
         reading = open_.probe->read(session.view(), glm::dvec2(*ground));
@@ -522,6 +542,8 @@ void App::draw_panels() {
             .goal_lines = open_.goal_lines.lines(),
             .goal_events = open_.goal_lines.events(),
             .goal_counts = open_.goal_lines.counts(),
+            .dam_lines = open_.dam_lines.lines(),
+            .dam = open_.dam_lines.note(),
             .card = open_.results.card(*sandbox_),
             .ghost = open_.ghost_note,
             .best_runs = best_list_.runs(),

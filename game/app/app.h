@@ -9,6 +9,7 @@
 #include "game/app/best_list.h"
 #include "game/app/challenge_maker.h"
 #include "game/app/ghost.h"
+#include "game/app/dam_lines.h"
 #include "game/app/goal_lines.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
@@ -132,6 +133,7 @@ class App {
     bool has_card() const;
     void fit_hand();
     void trace_goal();
+    void trace_dam();
     render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
@@ -170,6 +172,7 @@ class App {
         double earth_before = 0;  // m³ in use when the stroke began
         Results results;
         GoalLines goal_lines;
+        DamLines dam_lines;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
     };
 

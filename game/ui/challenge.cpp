@@ -109,18 +109,23 @@ ImU32 colour_of(GoalLine::Around around) {
             return medal_colour(3);
         case GoalLine::Around::kEvent:
             return kDanger;
+        case GoalLine::Around::kDam:
+            return kText;
     }
     return kText;
+}
+
+void stroke(Desk& desk, const GoalLine& line, ImDrawList& list) {
+    const auto px = [](glm::dvec2 at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
+    const float width = desk.em() * (line.around == GoalLine::Around::kDam ? 0.08f : 0.12f);
+    list.AddLine(px(line.from), px(line.to), faded(kAccentText, 0.6f), 2 * width);
+    list.AddLine(px(line.from), px(line.to), colour_of(line.around), width);
 }
 
 // Gold around what counts, blue around where tools work, red around what is going to happen.
 void outlines(Desk& desk, const Facts& facts) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto px = [](glm::dvec2 at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
-    for (const GoalLine& line : facts.goal_lines) {
-        list.AddLine(px(line.from), px(line.to), faded(kAccentText, 0.6f), desk.em() * 0.25f);
-        list.AddLine(px(line.from), px(line.to), colour_of(line.around), desk.em() * 0.12f);
-    }
+    for (const GoalLine& line : facts.goal_lines) stroke(desk, line, list);
     for (const GoalCount& count : facts.goal_counts) amount_there(desk, count, list);
     for (const GoalEvent& event : facts.goal_events) countdown(desk, event, list);
 }
@@ -194,6 +199,18 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
 }
 
 }  // namespace
+
+void dam(Desk& desk, const Facts& facts) {
+    if (!facts.dam) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const GoalLine& line : facts.dam_lines) stroke(desk, line, list);
+    std::array<char, 32> volume;
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.1f m high, %s", facts.dam->height,
+                  write_volume(volume, facts.dam->volume));
+    constexpr double kAbove = -2;  // em
+    plate(desk, facts.dam->at, kAbove, text.data(), kText, list);
+}
 
 void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.scenario.goal || !facts.goal_use) return;

@@ -72,9 +72,10 @@ struct ResultCard {
     glm::dvec2 top{0}, toe{0};                 // m, the ends of the slide; the same if there was none
 };
 
-// A dash around the zone of a challenge, around an area that it counts in, or around where the scene will act.
+// A dash around the zone of a challenge, around an area that it counts in, or around where the scene will act; or a line up a
+// dam.
 struct GoalLine {
-    enum class Around : std::uint8_t { kZone, kCounted, kEvent };
+    enum class Around : std::uint8_t { kZone, kCounted, kEvent, kDam };
     glm::dvec2 from{0}, to{0};  // px from the top left
     Around around = Around::kZone;
 };
@@ -92,6 +93,13 @@ struct GoalCount {
     bool is_share = false;
 };
 
+// What the dam near the cursor has come to.
+struct DamNote {
+    glm::dvec2 at{0};   // of its highest place, px from the top left
+    double height = 0;  // m above the ground that was there
+    double volume = 0;  // m³ of earth
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -106,6 +114,8 @@ struct Facts {
     std::span<const GoalLine> goal_lines = {};
     std::span<const GoalEvent> goal_events = {};
     std::span<const GoalCount> goal_counts = {};
+    std::span<const GoalLine> dam_lines = {};  // none: no tool for earth is in hand
+    std::optional<DamNote> dam = {};
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first

@@ -180,6 +180,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         hint(desk, facts);
         bare_ground(desk, facts, actions);
         guide(desk, facts, actions);
+        dam(desk, facts);
         challenge(desk, facts, actions);
         stroke_note(desk, facts);
         readings(desk, facts);

@@ -233,7 +233,7 @@ void tell(const char* what, const Goal& goal, const Try& attempt) {
     std::fflush(stdout);
 }
 
-// The first of them that still wins with all its places moved by a cell, whichever way. Looks at the ten best.
+// The first of them that still wins with all its places moved by a cell, whichever way. Looks at the sixty best.
 std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& winners) {
     const auto dx = static_cast<double>(scene.scenario.grid.dx);
     const auto wins = [&](const Try& winner, double east, double north) {
@@ -242,7 +242,7 @@ std::optional<Try> best_sound(const game::Scene& scene, const std::vector<Try>& 
         play(scene, moved);
         return moved.score && moved.score->won();
     };
-    for (const Try& winner : std::span(winners).first(std::min<std::size_t>(10, winners.size())))
+    for (const Try& winner : std::span(winners).first(std::min<std::size_t>(60, winners.size())))
         if (wins(winner, -1, 0) && wins(winner, 1, 0) && wins(winner, 0, -1) && wins(winner, 0, 1))
             return winner;
     return std::nullopt;
