@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "game/analysis/advice.h"
 #include "game/app/result_card.h"
 #include "game/app/slide_map.h"
 
@@ -32,7 +34,9 @@ const Score* Results::judge_attempt(const Sandbox& sandbox, std::span<const Best
     if (session.try_ended_at() != session.state().tick || score_) return nullptr;
     const std::vector<TimedCommand> commands = sandbox.commands_so_far();
     score_ = score_now(sandbox.scenario(), session, commands);
-    show(card_of(sandbox.scenario(), *score_, earlier), sandbox,
+    const std::string advice =
+        score_->meets_needs() ? "" : advice_after(*sandbox.scenario().goal, session.view(), session.peaks());
+    show(card_of(sandbox.scenario(), *score_, earlier, advice), sandbox,
          commands.empty() ? 0 : commands.front().tick);
     return &*score_;
 }

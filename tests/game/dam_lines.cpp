@@ -8,7 +8,7 @@
 namespace game::test {
 namespace {
 
-constexpr double kCell = 10;  // m
+constexpr double kDamCell = 10;  // m
 
 // Level ground, 800 m across.
 class DamLinesOnLevelGround : public testing::Test {
@@ -31,10 +31,11 @@ class DamLinesOnLevelGround : public testing::Test {
         lines.trace(
             sim::view(world), {{}, 0, 0, x, y, 0},
             [](std::int64_t quanta) {
-                return static_cast<double>(quanta) * double{sim::kQuantum} * kCell * kCell;
+                return static_cast<double>(quanta) * double{sim::kQuantum} * kDamCell * kDamCell;
             },
             [&](glm::dvec2 at) -> std::optional<glm::dvec2> {
-                const auto column = static_cast<int>(at.x / kCell), row = static_cast<int>(at.y / kCell);
+                const auto column = static_cast<int>(at.x / kDamCell),
+                           row = static_cast<int>(at.y / kDamCell);
                 return glm::dvec2(at.x, static_cast<double>(world.bedrock(column, row)) + world.datum);
             },
             [](glm::dvec3 at) -> std::optional<glm::dvec2> { return glm::dvec2(at.x, at.z); });
@@ -42,7 +43,7 @@ class DamLinesOnLevelGround : public testing::Test {
     }
 
   private:
-    support::Play play_{support::Ground({81, 41, static_cast<float>(kCell)}), support::loose_dry_snow()};
+    support::Play play_{support::Ground({81, 41, static_cast<float>(kDamCell)}), support::loose_dry_snow()};
 };
 
 TEST_F(DamLinesOnLevelGround, go_up_from_the_ground_that_was_there_and_tell_height_and_volume) {

@@ -1,0 +1,102 @@
+#include "game/analysis/advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "game/analysis/measures.h"
+#include "sim/world/things.h"
+
+namespace game {
+namespace {
+
+constexpr int kAround = 4;        // cells around a house in which it is looked for what came
+constexpr double kStrong = 0.5;   // of the greatest pressure there: counts
+constexpr float kHeaped = 0.5f;   // m of earth that are meant to hinder
+constexpr double kMiddle = 0.15;  // of the greatest distance from the middle: no side
+
+const char* toward(glm::dvec2 way) {
+    constexpr std::array<const char*, 8> kNames{"north", "north-east", "east", "south-east",
+                                                "south", "south-west", "west", "north-west"};
+    const double eighths = std::atan2(way.x, way.y) / (std::numbers::pi / 4);
+    return kNames.at(static_cast<std::size_t>(std::lrint(eighths) + 8) % 8);
+}
+
+bool asks_for_houses(const Goal& goal) {
+    return std::ranges::any_of(goal.needs, [](const Goal::Need& need) {
+        return need.most &&
+               (need.quantity.measure == Measure::kLoad || need.quantity.measure == Measure::kDestroyed);
+    });
+}
+
+// From where the flow came that pressed hardest beside a house.
+std::string what_hit(const sim::Thing& house, const sim::View& world, const Peaks& peaks) {
+    const sim::Grid& grid = world.grid;
+    const double dx = grid.dx;
+    const auto middle_x = static_cast<int>(std::lrint(house.x / dx)),
+               middle_y = static_cast<int>(std::lrint(house.y / dx));
+    const int x0 = std::max(middle_x - kAround, 0), x1 = std::min(middle_x + kAround, grid.nx - 1),
+              y0 = std::max(middle_y - kAround, 0), y1 = std::min(middle_y + kAround, grid.ny - 1);
+    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * grid.nx + x); };
+    float greatest = 0;
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) greatest = std::max(greatest, peaks.pressure[at(x, y)]);
+    glm::dvec2 way(0);
+    float deepest = 0;
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) {
+            const double pressure = peaks.pressure[at(x, y)];
+            if (pressure < kStrong * static_cast<double>(greatest)) continue;
+            way += pressure * (glm::dvec2(x * dx, y * dx) - glm::dvec2(house.x, house.y));
+            deepest = std::max(deepest, peaks.depth[at(x, y)]);
+        }
+    if (greatest <= 0 || glm::length(way) <= 0) return "";
+    return fmt::format("The house with the greatest load was hit from the {}, by a flow up to {:.1f} m deep.",
+                       toward(way), deepest);
+}
+
+// How much of the earth that was heaped up the flow ran over, and where.
+std::string what_passed(const sim::View& world, const Peaks& peaks) {
+    const sim::Grid& grid = world.grid;
+    const double dx = grid.dx;
+    glm::dvec2 all(0), over(0);
+    double heaped = 0, overrun = 0, farthest = 0;
+    const auto each = [&](const auto& see) {
+        for (int y = 0; y < grid.ny; ++y)
+            for (int x = 0; x < grid.nx; ++x)
+                if (world.things->earth(x, y) >= kHeaped)
+                    see(glm::dvec2(x * dx, y * dx), static_cast<std::size_t>(y * grid.nx + x));
+    };
+    each([&](glm::dvec2 place, std::size_t i) {
+        all += place, ++heaped;
+        if (static_cast<double>(peaks.depth[i]) >= Measures::kExtentDepth) over += place, ++overrun;
+    });
+    if (heaped == 0) return "";
+    if (overrun == 0) return " The flow went past your earth.";
+    const glm::dvec2 middle = all / heaped;
+    each([&](glm::dvec2 place, std::size_t) { farthest = std::max(farthest, glm::length(place - middle)); });
+    const glm::dvec2 aside = over / overrun - middle;
+    const bool has_side = overrun < heaped && glm::length(aside) > kMiddle * farthest;
+    return fmt::format(" The flow ran over {:.0f} % of your earth{}.", 100 * overrun / heaped,
+                       has_side ? fmt::format(", most in the {} of it", toward(aside)) : "");
+}
+
+}  // namespace
+
+std::string advice_after(const Goal& goal, const sim::View& world, const Peaks& peaks) {
+    if (!asks_for_houses(goal) || !world.things || peaks.pressure.empty()) return "";
+    const sim::Thing* hit = nullptr;
+    for (const sim::Thing& thing : world.things->list)
+        if (thing.kind == sim::ThingKind::kHouse && thing.load > (hit ? hit->load : 0)) hit = &thing;
+    if (!hit) return "";
+    return what_hit(*hit, world, peaks) + what_passed(world, peaks);
+}
+
+}  // namespace game
