@@ -70,7 +70,7 @@ Result result_of(const std::string& model, double factor) {
                                        "--material",
                                        "snow-dry",
                                        "--set",
-                                       "friction=0.4,drag=2000",
+                                       "friction=0.4,drag=2000,cohesion_depth=0",
                                        "--seconds",
                                        "200",
                                        "--export",
