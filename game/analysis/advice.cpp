@@ -29,6 +29,10 @@ const char* toward(glm::dvec2 way) {
     return kNames.at(static_cast<std::size_t>(std::lrint(eighths) + 8) % 8);
 }
 
+std::size_t index_of(const sim::Grid& grid, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+}
+
 bool asks_for_houses(const Goal& goal) {
     return std::ranges::any_of(goal.needs, [](const Goal::Need& need) {
         return need.most &&
@@ -44,18 +48,17 @@ std::string what_hit(const sim::Thing& house, const sim::View& world, const Peak
                middle_y = static_cast<int>(std::lrint(house.y / dx));
     const int x0 = std::max(middle_x - kAround, 0), x1 = std::min(middle_x + kAround, grid.nx - 1),
               y0 = std::max(middle_y - kAround, 0), y1 = std::min(middle_y + kAround, grid.ny - 1);
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * grid.nx + x); };
     float greatest = 0;
     for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x) greatest = std::max(greatest, peaks.pressure[at(x, y)]);
+        for (int x = x0; x <= x1; ++x) greatest = std::max(greatest, peaks.pressure[index_of(grid, x, y)]);
     glm::dvec2 way(0);
     float deepest = 0;
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
-            const double pressure = peaks.pressure[at(x, y)];
+            const double pressure = peaks.pressure[index_of(grid, x, y)];
             if (pressure < kStrong * static_cast<double>(greatest)) continue;
             way += pressure * (glm::dvec2(x * dx, y * dx) - glm::dvec2(house.x, house.y));
-            deepest = std::max(deepest, peaks.depth[at(x, y)]);
+            deepest = std::max(deepest, peaks.depth[index_of(grid, x, y)]);
         }
     if (greatest <= 0 || glm::length(way) <= 0) return "";
     return fmt::format("The house with the greatest load was hit from the {}, by a flow up to {:.1f} m deep.",
@@ -72,7 +75,7 @@ std::string what_passed(const sim::View& world, const Peaks& peaks) {
         for (int y = 0; y < grid.ny; ++y)
             for (int x = 0; x < grid.nx; ++x)
                 if (world.things->earth(x, y) >= kHeaped)
-                    see(glm::dvec2(x * dx, y * dx), static_cast<std::size_t>(y * grid.nx + x));
+                    see(glm::dvec2(x * dx, y * dx), index_of(grid, x, y));
     };
     each([&](glm::dvec2 place, std::size_t i) {
         all += place, ++heaped;
