@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -29,15 +28,13 @@ const char* toward(glm::dvec2 way) {
     return kNames.at(static_cast<std::size_t>(std::lrint(eighths) + 8) % 8);
 }
 
-std::size_t index_of(const sim::Grid& grid, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
-}
-
-bool asks_for_houses(const Goal& goal) {
-    return std::ranges::any_of(goal.needs, [](const Goal::Need& need) {
-        return need.most &&
-               (need.quantity.measure == Measure::kLoad || need.quantity.measure == Measure::kDestroyed);
-    });
+bool misses_a_need_on_houses(const Goal& goal, const Score& score) {
+    for (std::size_t i = 0; i < goal.needs.size(); ++i) {
+        const Measure measure = goal.needs[i].quantity.measure;
+        const bool is_on_houses = measure == Measure::kLoad || measure == Measure::kDestroyed;
+        if (is_on_houses && goal.needs[i].most && !score.needs[i].met) return true;
+    }
+    return false;
 }
 
 // From where the flow came that pressed hardest beside a house.
@@ -82,24 +79,25 @@ std::string what_passed(const sim::View& world, const Peaks& peaks) {
         if (static_cast<double>(peaks.depth[i]) >= Measures::kExtentDepth) over += place, ++overrun;
     });
     if (heaped == 0) return "";
-    if (overrun == 0) return " The flow went past your earth.";
+    if (overrun == 0) return "The flow went past your earth.";
     const glm::dvec2 middle = all / heaped;
     each([&](glm::dvec2 place, std::size_t) { farthest = std::max(farthest, glm::length(place - middle)); });
     const glm::dvec2 aside = over / overrun - middle;
     const bool has_side = overrun < heaped && glm::length(aside) > kMiddle * farthest;
-    return fmt::format(" The flow ran over {:.0f} % of your earth{}.", 100 * overrun / heaped,
+    return fmt::format("The flow ran over {:.0f} % of your earth{}.", 100 * overrun / heaped,
                        has_side ? fmt::format(", most in the {} of it", toward(aside)) : "");
 }
 
 }  // namespace
 
-std::string advice_after(const Goal& goal, const sim::View& world, const Peaks& peaks) {
-    if (!asks_for_houses(goal) || !world.things || peaks.pressure.empty()) return "";
+std::string advice_after(const Goal& goal, const Score& score, const sim::View& world, const Peaks& peaks) {
+    if (!misses_a_need_on_houses(goal, score) || !world.things || peaks.pressure.empty()) return "";
     const sim::Thing* hit = nullptr;
     for (const sim::Thing& thing : world.things->list)
         if (thing.kind == sim::ThingKind::kHouse && thing.load > (hit ? hit->load : 0)) hit = &thing;
     if (!hit) return "";
-    return what_hit(*hit, world, peaks) + what_passed(world, peaks);
+    const std::string came = what_hit(*hit, world, peaks), passed = what_passed(world, peaks);
+    return came.empty() || passed.empty() ? came + passed : fmt::format("{} {}", came, passed);
 }
 
 }  // namespace game

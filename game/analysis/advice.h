@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "game/analysis/score.h"
 #include "game/scene/goal.h"
 #include "game/session/peak_watch.h"
 #include "sim/world/state.h"
@@ -10,6 +11,6 @@ namespace game {
 
 // What a lost try shows a person that numbers do not: from where the house with the greatest load was hit, if a need on houses
 // is not met, and what the flow did at the earth that was heaped up against it. Empty if there is nothing to tell.
-std::string advice_after(const Goal& goal, const sim::View& world, const Peaks& peaks);
+std::string advice_after(const Goal& goal, const Score& score, const sim::View& world, const Peaks& peaks);
 
 }  // namespace game

@@ -10,11 +10,12 @@
 #include "sim/world/on_ground.h"
 
 namespace game {
-namespace {
 
-std::size_t index(const sim::Grid& grid, int x, int y) {
+std::size_t index_of(const sim::Grid& grid, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
 }
+
+namespace {
 
 // m, in plan.
 double distance(terrains::LocalPoint from, terrains::LocalPoint to) {
@@ -36,7 +37,7 @@ void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& rel
     double highest = -1e30, top_height = 0;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x)
-            if (const std::size_t i = index(grid, x, y);
+            if (const std::size_t i = index_of(grid, x, y);
                 released[i] && ground_height(scenario, i) > highest) {
                 highest = top_height = ground_height(scenario, i);
                 measures.top = place(x, y);
@@ -45,7 +46,7 @@ void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& rel
     measures.toe = measures.top;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
-            const std::size_t i = index(grid, x, y);
+            const std::size_t i = index_of(grid, x, y);
             if (!extent[i]) continue;
             const auto here = place(x, y);
             const double away = distance(here, measures.top);
@@ -100,7 +101,7 @@ std::vector<float> change_of(const Scenario& scenario, const sim::State& state) 
     std::vector<float> change(scenario.grid.size());
     for (int y = 0; y < scenario.grid.ny; ++y)
         for (int x = 0; x < scenario.grid.nx; ++x) {
-            const std::size_t i = index(scenario.grid, x, y);
+            const std::size_t i = index_of(scenario.grid, x, y);
             change[i] = (state.depth(x, y) - scenario.depth[i]) + (state.rolling(x, y) - scenario.rolling[i]);
         }
     return change;
@@ -116,7 +117,7 @@ Measures::Change measure_change(const sim::Grid& grid, const std::vector<float>&
     const double dx = grid.dx;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
-            const float metres = change[index(grid, x, y)];
+            const float metres = change[index_of(grid, x, y)];
             const double volume = std::fabs(static_cast<double>(metres)) * grid.cell_area();
             Part& part = metres > 0 ? raised : lowered;
             part.volume += volume, part.x += volume * x * dx, part.y += volume * y * dx;
@@ -154,7 +155,7 @@ Measures measure(const Scenario& scenario, const Session& session, const std::ve
     std::vector<std::uint8_t> extent(grid.size());
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x) {
-            const std::size_t i = index(grid, x, y);
+            const std::size_t i = index_of(grid, x, y);
             extent[i] = peaks.depth[i] >= Measures::kExtentDepth;
             measures.extent_area += extent[i] * cell;
             measures.peak_depth = std::max(measures.peak_depth, static_cast<double>(peaks.depth[i]));
@@ -208,7 +209,7 @@ std::vector<std::uint8_t> release_area(const Scenario& scenario, std::span<const
         if (!slopes.takes_all() && !first)
             first = sim::make_state(initial_state_of(scenario), scenario.params);
         sim::Disc(c, grid.dx).each_vertex(grid, sim::Profile::kDisc, [&](int x, int y, double) {
-            if (slopes.takes_all() || slopes.takes(*first, x, y)) released[index(grid, x, y)] = 1;
+            if (slopes.takes_all() || slopes.takes(*first, x, y)) released[index_of(grid, x, y)] = 1;
         });
     }
     return released;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +12,9 @@
 #include "terrains/release.h"
 
 namespace game {
+
+// Of a vertex, in values of a whole grid, row by row from the south.
+std::size_t index_of(const sim::Grid& grid, int x, int y);
 
 // An avalanche's measures, in the field's terms. The extent is the area where the rolling layer was ever at least
 // kExtentDepth deep. Scores are made of them, so no function of a mathematics library may differ in them: arithmetic and

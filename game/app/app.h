@@ -8,8 +8,8 @@
 
 #include "game/app/best_list.h"
 #include "game/app/challenge_maker.h"
-#include "game/app/ghost.h"
 #include "game/app/dam_lines.h"
+#include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"

@@ -29,7 +29,7 @@ class DamLines {
         std::int64_t changed = 0;   // counts changes of the things that stand there
         bool operator==(const View&) const = default;
     };
-    // Traces them anew if the view is another. `cubic_metres`: of quanta times cells. `seen`: where a place is on the screen, px,
+    // Traces them anew if the view is another; what comes to lie on the dam alone does not. `cubic_metres`: of quanta times cells. `seen`: where a place is on the screen, px,
     // and nothing if the ground hides it; `on_screen`: the same for what the ground may hide.
     void trace(const sim::View& world, const View& view,
                const std::function<double(std::int64_t)>& cubic_metres,

@@ -51,12 +51,13 @@ void add_rows(const Measures& m, double seconds, ui::ResultCard& card) {
 ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<const BestRun> earlier,
                        const std::string& advice) {
     const Goal& goal = *scenario.goal;
-    ui::ResultCard card{scenario.title,
-                        verdict_of(score),
-                        reason_of(goal, score),
-                        advice.empty() ? goal.learn : fmt::format("{} {}", advice, goal.learn),
-                        score.medal,
-                        {}};
+    ui::ResultCard card{
+        scenario.title,
+        verdict_of(score),
+        reason_of(goal, score),
+        advice.empty() || goal.learn.empty() ? advice + goal.learn : fmt::format("{} {}", advice, goal.learn),
+        score.medal,
+        {}};
     card.rows.push_back({"Score", score.meets_needs()
                                       ? fmt::format("{}{}", score.points, next_medal(goal, score))
                                       : "none, because it is lost"});

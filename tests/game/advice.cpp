@@ -28,15 +28,17 @@ class Advice : public testing::Test {
         need.quantity.measure = Measure::kLoad;
         need.most = 4.9;
         goal_.needs.push_back(need);
+        score_.needs.push_back({9000, false});
     }
     void flow_at(int x, int y, float depth, float pressure) {
         const auto i = static_cast<std::size_t>(y * kHouseVertices + x);
         peaks_.depth[i] = depth, peaks_.pressure[i] = pressure;
     }
     void heap_up(int x, int y) { play_.state.things->earth(x, y) = 2; }
-    std::string text() const { return advice_after(goal_, sim::view(play_.state), peaks_); }
+    std::string text() const { return advice_after(goal_, score_, sim::view(play_.state), peaks_); }
 
     Goal goal_;
+    Score score_;
     support::Play play_{support::Ground({kHouseVertices, kHouseVertices, kHouseCell}),
                         support::loose_dry_snow()};
     Peaks peaks_;
@@ -67,6 +69,10 @@ TEST_F(Advice, is_none_where_no_house_counts_or_none_stands) {
     goal_.needs.front().quantity.measure = Measure::kDeposit;
     EXPECT_EQ(text(), "");
     goal_.needs.front().quantity.measure = Measure::kLoad;
+    score_.needs.front().met = true;
+    EXPECT_EQ(text(), "") << "what was missed is another need";
+    score_.needs.front().met = false;
+    EXPECT_NE(text(), "");
     play_.state.things->list.clear();
     EXPECT_EQ(text(), "");
 }
