@@ -19,7 +19,8 @@ namespace {
 constexpr int kAround = 4;        // cells around a house in which it is looked for what came
 constexpr double kStrong = 0.5;   // of the greatest pressure there: counts
 constexpr float kHeaped = 0.5f;   // m of earth that are meant to hinder
-constexpr double kMiddle = 0.15;  // of the greatest distance from the middle: no side
+constexpr double kMiddle = 0.15;  // of the greatest distance from the middle: no side of earth
+constexpr double kEven = 0.05;    // of the radius: a slab of which as much is left on each side
 
 const char* toward(glm::dvec2 way) {
     constexpr std::array<const char*, 8> kNames{"north", "north-east", "east", "south-east",
@@ -88,16 +89,33 @@ std::string what_passed(const sim::View& world, const Peaks& peaks) {
                        has_side ? fmt::format(", most in the {} of it", toward(aside)) : "");
 }
 
+// How much of the slab was left to come down, and where; or that the house was hit before.
+std::string what_was_left(const Goal& goal, const AttemptWatch::Slab& slab, std::int64_t load) {
+    using sim::CommandKind;
+    if (!tool_of(goal, CommandKind::kBlast) && !tool_of(goal, CommandKind::kDig)) return "";
+    if (load > 0 && slab.load == load) return "That was before the slope let go.";
+    const double percent = std::round(100 * slab.left);
+    if (percent >= 100) return "When the slope let go, all of its cover was still there.";
+    return fmt::format("When the slope let go, {:.0f} % of its cover was still there{}.", percent,
+                       glm::length(slab.aside) > kEven
+                           ? fmt::format(", more in the {} than elsewhere", toward(slab.aside))
+                           : "");
+}
+
 }  // namespace
 
-std::string advice_after(const Goal& goal, const Score& score, const sim::View& world, const Peaks& peaks) {
+std::string advice_after(const Goal& goal, const Score& score, const sim::View& world, const Peaks& peaks,
+                         const std::optional<AttemptWatch::Slab>& slab) {
     if (!misses_a_need_on_houses(goal, score) || !world.things || peaks.pressure.empty()) return "";
     const sim::Thing* hit = nullptr;
     for (const sim::Thing& thing : world.things->list)
         if (thing.kind == sim::ThingKind::kHouse && thing.load > (hit ? hit->load : 0)) hit = &thing;
     if (!hit) return "";
-    const std::string came = what_hit(*hit, world, peaks), passed = what_passed(world, peaks);
-    return came.empty() || passed.empty() ? came + passed : fmt::format("{} {}", came, passed);
+    std::string advice;
+    for (const std::string& sentence : {what_hit(*hit, world, peaks), what_passed(world, peaks),
+                                        slab ? what_was_left(goal, *slab, hit->load) : std::string()})
+        advice += (advice.empty() || sentence.empty() ? "" : " ") + sentence;
+    return advice;
 }
 
 }  // namespace game

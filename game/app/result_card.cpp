@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,12 @@
 namespace game {
 namespace {
 
+// As all numbers of the card.
+std::string grouped(std::int64_t points) {
+    std::array<char, 40> text{};
+    return ui::write_number(text, "%.0f", static_cast<double>(points));
+}
+
 // Of a try that meets all needs: the medal that comes next, and what it asks, or by how little it was missed.
 std::string next_medal(const Goal& goal, const Score& score) {
     constexpr std::int64_t kNear = 10;  // less than one part in so many was missing
@@ -19,8 +26,8 @@ std::string next_medal(const Goal& goal, const Score& score) {
     if (next > kGold) return "";
     const std::int64_t least = goal.medals.at(static_cast<std::size_t>(next - 1));
     const std::int64_t missing = least - score.points;
-    if (missing < least / kNear) return fmt::format(", {} short of {}", missing, medal_name(next));
-    return fmt::format(" ({} from {})", medal_name(next), least);
+    if (missing < least / kNear) return fmt::format(", {} short of {}", grouped(missing), medal_name(next));
+    return fmt::format(" ({} from {})", medal_name(next), grouped(least));
 }
 
 // How a try compares with the best one before it; empty if there is nothing to compare.
@@ -28,8 +35,8 @@ std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
     if (earlier.empty()) return score.meets_needs() ? "this one" : "";
     const BestRun& best = earlier.front();
     if (score.meets_needs() && std::pair(score.medal, score.points) > std::pair(best.medal, best.score))
-        return fmt::format("this one; before it {}", best.score);
-    return fmt::format("{}, {}", best.score, medal_name(best.medal));
+        return fmt::format("this one; before it {}", grouped(best.score));
+    return fmt::format("{}, {}", grouped(best.score), medal_name(best.medal));
 }
 
 // `seconds`: of the world, when it was measured; the rolling layer may erode and deposit more afterwards.
@@ -59,7 +66,7 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<c
         score.medal,
         {}};
     card.rows.push_back({"Score", score.meets_needs()
-                                      ? fmt::format("{}{}", score.points, next_medal(goal, score))
+                                      ? fmt::format("{}{}", grouped(score.points), next_medal(goal, score))
                                       : "none, because it is lost"});
     if (std::string best = beside_best(score, earlier); !best.empty())
         card.rows.push_back({"Best run", std::move(best)});

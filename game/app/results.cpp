@@ -35,7 +35,7 @@ const Score* Results::judge_attempt(const Sandbox& sandbox, std::span<const Best
     const std::vector<TimedCommand> commands = sandbox.commands_so_far();
     score_ = score_now(sandbox.scenario(), session, commands);
     const std::string advice =
-        advice_after(*sandbox.scenario().goal, *score_, session.view(), session.peaks());
+        advice_after(*sandbox.scenario().goal, *score_, session.view(), session.peaks(), session.slab());
     show(card_of(sandbox.scenario(), *score_, earlier, advice), sandbox,
          commands.empty() ? 0 : commands.front().tick);
     return &*score_;

@@ -33,7 +33,7 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options)
       peaks_(state_, densities_),
       structures_(view()) {
     line_.before.reserve(kTicksPerState);
-    if (scenario.goal) try_.emplace(*scenario.goal, state_.params.tick_s);
+    if (scenario.goal) try_.emplace(*scenario.goal, state_);
     find_hash();
     peaks_.see(state_);
 }

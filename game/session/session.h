@@ -116,6 +116,8 @@ class Session {
     const StateLine& state_line() const { return line_; }
     // When the try at the scenario's goal ended: tick.
     std::optional<std::int64_t> try_ended_at() const { return try_ ? try_->ended_at() : std::nullopt; }
+    // What the last slab that the scene let go had left: as AttemptWatch::slab().
+    std::optional<AttemptWatch::Slab> slab() const { return try_ ? try_->slab() : std::nullopt; }
     // Whether the scenario has a goal and no try at it has ended.
     bool is_in_try() const { return try_ && !try_->ended_at(); }
     // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:

@@ -209,6 +209,7 @@ TEST_F(ResultCardText, tells_the_next_medal_or_by_how_little_it_was_missed) {
     EXPECT_EQ(row("Score", score_of(95, 1)), "95, 5 short of silver");
     EXPECT_EQ(row("Score", score_of(-51, 0)), "-51 (bronze from -50)") << "a tenth of it is nothing";
     EXPECT_EQ(row("Score", score_of(250, 3)), "250");
+    EXPECT_EQ(row("Score", score_of(-12'345, 0)), "-12 345 (bronze from -50)");
 }
 
 TEST_F(ResultCardText, compares_with_the_best_run_before_it) {
