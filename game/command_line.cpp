@@ -20,6 +20,7 @@
 #include "game/base/number.h"
 #include "game/base/version.h"
 #include "game/commands/commands.h"
+#include "game/ensemble/spec.h"
 #include "sim/world/command.h"
 #include "sim/world/params.h"
 
@@ -463,6 +464,27 @@ void add_telling(CLI::App& app, Options& options, const char* maps) {
     add_step_options(app, options.step_options);
 }
 
+void add_ensemble(CLI::App& app, EnsembleOptions& options) {
+    app.add_option("spec", options.spec, "the ensemble: what varies, and how (docs/ensembles.md)")
+        ->type_name("SPEC.toml")
+        ->required();
+    auto* out = app.add_option("--out", options.folder,
+                               "write journal, table and maps here; what an earlier call left there goes on")
+                    ->type_name("DIR");
+    auto* member =
+        add_number(app, "--member", "K", options.member, Range<std::int64_t>{1, EnsembleSpec::kMostMembers},
+                   "play this member alone, to the same state");
+    app.add_option("--record", options.record, "with --member: write its recording to this file")
+        ->type_name("FILE.couloir")
+        ->needs(member);
+    member->excludes(out);
+    app.add_flag("--json", options.json, "print the results as JSON");
+    add_references(app, options.overrides);
+    add_memory(app, options.overrides.memory);
+    add_number(app, "--threads", "N", options.threads, kThreads,
+               "play N members at a time (results are bit-identical)", "one per processor");
+}
+
 void add_compare(CLI::App& app, CompareOptions& options) {
     app.add_option("first", options.first, "name from `couloir list`, or a file")->type_name("A")->required();
     app.add_option("second", options.second, "name or file of the other")->type_name("B")->required();
@@ -738,6 +760,11 @@ Outcome<void> check(RunOptions& options) {
     return {};
 }
 
+Outcome<void> check(const EnsembleOptions& options) {
+    if (!options.folder && !options.member) return unusable("give --out DIR, or --member K");
+    return {};
+}
+
 Outcome<void> check(const BenchOptions& options) {
     if (options.scaling && options.trace) return unusable("--trace cannot be used with --scaling");
     return {};
@@ -789,6 +816,9 @@ const auto& subcommands() {
             "compare two recordings on the same terrain: the difference at the end, and the first tick, "
             "stage, field and cell that differ",
             with(add_compare, compare)},
+        Subcommand{"ensemble",
+                   "run a world many times with other numbers, and map how likely it is that a place is hit",
+                   with(add_ensemble, ensemble)},
         Subcommand{"edit", "change one command of a recording, run it again, and compare the results",
                    with(add_edit, edit)},
         Subcommand{

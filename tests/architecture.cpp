@@ -29,6 +29,7 @@ constexpr Room kRooms[] = {
     {"game", 5, "main", "options, exit status"},
     {"game/commands", 5, "commands", "one subcommand each"},
     {"game/compare", 2, "compare", "two runs side by side"},
+    {"game/ensemble", 0, "ensemble", "how likely"},
     {"game/figures", 4, "figures", "the paper's figures"},
     {"game/bench", 6, "bench", "cost of each stage"},
     {"game/app", 8, "app", "window and its frame"},

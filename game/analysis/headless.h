@@ -58,7 +58,7 @@ struct Watchers {
     std::function<Outcome<void>(const Session&)> keep;
 };
 
-// Plays a session, with the commands from its tick on.
+// Plays a session, with the commands from its tick on. `what`: of the progress bar; empty: it has none.
 Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                              const Watchers& watchers, const std::string& what);
 

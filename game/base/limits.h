@@ -27,6 +27,9 @@ inline constexpr std::size_t kMostCommands = 4'000'000;
 inline constexpr std::size_t kMostReportBytes = std::size_t{64} << 20;
 inline constexpr terrains::JsonLimits kReportLimits{.depth = 16, .values = 1'000'000, .members = 1000};
 
+// Ensembles. A line of a journal has the limits of a recording's.
+inline constexpr std::size_t kMostJournalBytes = std::size_t{256} << 20;
+
 // Scenes and materials.
 inline constexpr std::size_t kMostTomlBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMostTomlKeys = 20'000;  // and table headers
@@ -55,6 +58,7 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording", "members of an object in the first line", kHeaderLimits.members, ""},
     {"recording", "depth of the first line", kHeaderLimits.depth, "levels"},
     {"recording", "vertices along a side", kMostVertices, ""},
+    {"journal of an ensemble", "file", kMostJournalBytes, "bytes"},
     {"recording", "any other line", kLongestLine, "bytes"},
     {"recording", "values in any other line", kLineLimits.values, ""},
     {"recording", "members of an object in any other line", kLineLimits.members, ""},

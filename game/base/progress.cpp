@@ -12,7 +12,8 @@
 
 namespace game {
 
-Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what)
+    : what_(std::move(what)), terminal_(!what_.empty() && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (shown_) fmt::print(stderr, "\r\x1b[K");

@@ -9,6 +9,7 @@ namespace game {
 // and erased by the destructor.
 class Progress {
   public:
+    // `what`: of the work; empty: nothing is shown.
     explicit Progress(std::string what);
     ~Progress();
     Progress(const Progress&) = delete;

@@ -100,6 +100,18 @@ struct EditOptions {
 // Changes one command of a recording, runs it again, and compares the result with the original.
 Outcome<int> edit(const EditOptions& options);
 
+struct EnsembleOptions {
+    std::filesystem::path spec;
+    std::optional<std::filesystem::path> folder;  // set unless `member` is
+    std::optional<std::int64_t> member;           // play this one alone
+    std::optional<std::filesystem::path> record;  // of it
+    Overrides overrides;
+    int threads = 0;  // 0: one per processor
+    bool json = false;
+};
+// Plays the members of an ensemble and maps probabilities; 1 if any could not run, or after Ctrl+C.
+Outcome<int> ensemble(const EnsembleOptions& options);
+
 struct NormaliseOptions {
     std::string recording;  // name or file
     std::filesystem::path out;

@@ -71,15 +71,23 @@ std::optional<std::string> TomlTable::text(std::string_view key) {
 }
 
 std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t count) {
+    return numbers(key, count, count);
+}
+
+std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t least,
+                                                      std::size_t most) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
+    const toml::array* array = node->as_array();
     std::vector<double> values;
-    if (const toml::array* array = node->as_array())
+    if (array)
         for (const toml::node& element : *array)
             if (const auto value = element.value<double>(); value && std::isfinite(*value))
                 values.push_back(*value);
-    if (values.size() == count && node->as_array()->size() == count) return values;
-    blame(key, fmt::format("is not a list of {} numbers", count));
+    if (array && values.size() == array->size() && values.size() >= least && values.size() <= most)
+        return values;
+    blame(key, least == most ? fmt::format("is not a list of {} numbers", least)
+                             : fmt::format("is not a list of {} to {} numbers", least, most));
     return std::nullopt;
 }
 

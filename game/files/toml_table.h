@@ -37,6 +37,7 @@ class TomlTable {
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t least, std::size_t most);
     // A list of `least` to `most` places [x, y], each coordinate within ±kFarthestPlace metres.
     std::optional<std::vector<glm::dvec2>> places(std::string_view key, std::size_t least, std::size_t most);
     std::optional<glm::dvec2> place(std::string_view key);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+
+#include "game/base/outcome.h"
+#include "game/ensemble/exceedances.h"
+#include "game/ensemble/journal.h"
+#include "game/ensemble/member.h"
+#include "game/ensemble/spec.h"
+
+namespace game {
+
+inline constexpr const char* kJournalName = "journal.jsonl";
+inline constexpr const char* kExceedancesName = "exceedances.bin";
+
+// All members of an ensemble, or those that finished before Ctrl+C.
+struct EnsembleResult {
+    std::map<std::int64_t, Member> members;
+    Exceedances exceedances;
+    std::int64_t before = 0;  // of them: found in the folder, from earlier calls
+    std::size_t dropped = 0;  // bytes of a line of the journal that an earlier call had cut off
+    double seconds = 0;       // of this call
+    bool interrupted = false;
+};
+
+// Plays the members that the folder lacks, each on one of `threads` threads, with progress. What they come to does not
+// depend on their order, on threads, or on how often the work was ended and begun again: the journal has each finished
+// member at once, the counts follow every ten seconds, and members that they lack then are played again.
+// Errors: those of Journal and play_member(); the counts are damaged or of another ensemble (status 2).
+Outcome<EnsembleResult> run_ensemble(const EnsembleSpec& spec, const std::filesystem::path& folder,
+                                     int threads);
+
+}  // namespace game

@@ -1,0 +1,92 @@
+#include "game/ensemble/journal.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "game/base/limits.h"
+#include "game/files/text_file.h"
+#include "game/recording/format.h"
+#include "terrains/json_reader.h"
+
+namespace game {
+namespace {
+
+std::string header_of(const EnsembleSpec& spec) {
+    Json names = Json::array();
+    for (const Variable& each : spec.variables) names.push_back(each.name());
+    return Json{{"couloir", "ensemble"}, {"format", 1}, {"ensemble", spec.identity}, {"variables", names}}
+        .dump();
+}
+
+std::string line_of(const Member& member) {
+    return to_json(member).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Outcome<Journal> Journal::open(const std::filesystem::path& path, const EnsembleSpec& spec) {
+    if (auto placed = make_folder(path.parent_path()); !placed) return tl::unexpected(placed.error());
+    std::string text;
+    auto file = files::AppendedFile::open(path, kMostJournalBytes, text);
+    if (!file) return machine_fails(file.error());
+    Journal journal(path, std::move(*file));
+    if (auto read = journal.read(text, spec); !read) return tl::unexpected(read.error());
+    return journal;
+}
+
+Outcome<void> Journal::read(const std::string& text, const EnsembleSpec& spec) {
+    const std::string header = header_of(spec);
+    const auto wrong = [&](std::size_t line, const std::string& fact) {
+        return unusable(fmt::format("{}:{}: {}", path_.string(), line, fact));
+    };
+    std::size_t begin = 0, number = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+        const std::string line = text.substr(begin, end - begin);
+        ++number;
+        begin = end + 1;
+        if (number == 1) {
+            if (line != header)
+                return wrong(
+                    1,
+                    "is the journal of another ensemble, ground or version of the physics; give another "
+                    "--out, or delete it");
+            continue;
+        }
+        const auto json = terrains::read_json<Json>(line, kLineLimits);
+        if (!json) return wrong(number, fmt::format("is no member of an ensemble: {}", json.error()));
+        try {
+            Member member = member_from(*json);
+            if (member.sample.size() != spec.variables.size())
+                return wrong(number, "has another number of variables");
+            const std::int64_t of = member.number;
+            if (!members_.emplace(of, std::move(member)).second)
+                return wrong(number, fmt::format("has member {} a second time", of));
+        } catch (const std::exception& thrown) {
+            return wrong(number, fmt::format("is no member of an ensemble: {}", thrown.what()));
+        }
+    }
+    dropped_ = text.size() - begin;
+    if (dropped_ > 0 && number == 0 && !header.starts_with(text))
+        return wrong(1, "is not the journal of an ensemble");
+    if (auto cut = file_.cut(begin); !cut) return machine_fails(cut.error());
+    if (number > 0) return {};
+    if (auto written = file_.add(header + '\n'); !written) return machine_fails(written.error());
+    return {};
+}
+
+Outcome<void> Journal::add(const Member& member) {
+    if (const auto earlier = members_.find(member.number); earlier != members_.end()) {
+        if (line_of(earlier->second) == line_of(member)) return {};
+        return tl::unexpected(
+            Failure{Failure::kBadAnswer,
+                    fmt::format("{}: member {} came to {} before, and now to {}: the same member on another "
+                                "machine or program must come to the same bits",
+                                path_.string(), member.number, earlier->second.hash, member.hash)});
+    }
+    if (auto written = file_.add(line_of(member) + '\n'); !written) return machine_fails(written.error());
+    members_.emplace(member.number, member);
+    return {};
+}
+
+}  // namespace game

@@ -1,0 +1,109 @@
+#include "game/ensemble/member.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "game/analysis/headless.h"
+#include "game/analysis/measures.h"
+#include "game/recording/format.h"
+#include "game/recording/recorder.h"
+
+namespace game {
+namespace {
+
+constexpr double kGreatest = 1e15;  // of any number of a journal
+
+// The figures of a member as the journal names them, with their units in docs/ensembles.md.
+struct Figure {
+    const char* name;
+    double Member::*value;
+};
+constexpr Figure kFigures[] = {{"seconds", &Member::seconds},     {"released", &Member::released},
+                               {"run_out", &Member::run_out},     {"fall", &Member::fall},
+                               {"extent", &Member::extent},       {"eroded", &Member::eroded},
+                               {"top_speed", &Member::top_speed}, {"thickness", &Member::thickness}};
+
+double cubic_metres_at_rest(const Session& session) {
+    return session.cubic_metres(session.state().ledger.rolling);
+}
+
+}  // namespace
+
+Json to_json(const Member& member) {
+    Json json{{"member", member.number}, {"sample", member.sample}};
+    if (!member.fault.empty()) {
+        json["fault"] = member.fault;
+        return json;
+    }
+    json["ended"] = member.ended;
+    for (const Figure& figure : kFigures) json[figure.name] = member.*figure.value;
+    json["hash"] = member.hash;
+    return json;
+}
+
+Member member_from(const Json& json) {
+    Member member;
+    member.number = values::whole(json, "member", 1, EnsembleSpec::kMostMembers);
+    for (const Json& value : values::list(json, "sample", 64)) member.sample.push_back(value.get<double>());
+    if (json.contains("fault")) {
+        member.fault = values::text(json, "fault");
+        return member;
+    }
+    member.ended = values::text(json, "ended");
+    for (const Figure& figure : kFigures)
+        member.*figure.value = values::number(json, figure.name, -kGreatest, kGreatest);
+    member.hash = values::text(json, "hash");
+    return member;
+}
+
+Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
+                                  const Exceedances& exceedances, const std::function<bool()>& stop,
+                                  const std::optional<std::filesystem::path>& record) {
+    PlayedMember played;
+    Member& member = played.member;
+    member.number = number;
+    member.sample = spec.sample(number);
+    auto scenario = spec.scenario_of(member.sample);
+    if (!scenario) {
+        member.fault = scenario.error().sentence;
+        return played;
+    }
+    scenario->title = fmt::format("{}, member {}", spec.title, number);
+    auto session = Session::begin(*scenario, {}, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    if (record) {
+        auto recorder = Recorder::create(*record, *scenario);
+        if (!recorder) return tl::unexpected(recorder.error());
+        if (auto begun = session->record_from_start(std::move(*recorder)); !begun)
+            return tl::unexpected(begun.error());
+    }
+    member.released = cubic_metres_at_rest(*session);
+    Until until;
+    until.rest = Until::Rest::kEnergy;
+    until.most_ticks = std::llrint(spec.seconds / static_cast<double>(scenario->params.tick_s));
+    Watchers watchers;
+    watchers.keep = [&](const Session&) -> Outcome<void> {
+        if (stop()) return tl::unexpected(Failure{Failure::kBadAnswer, "interrupted"});
+        return {};
+    };
+    const auto ended = play_headless(*session, spec.scene.commands, until, watchers, "");
+    if (!ended) return tl::unexpected(ended.error());
+    if (auto finished = session->finish(); !finished) return tl::unexpected(finished.error());
+
+    const Measures measures = measure(*scenario, *session, release_area(*scenario, spec.scene.commands), {});
+    member.ended = to_string(*ended);
+    member.seconds = session->seconds();
+    member.run_out = measures.run_out, member.fall = measures.fall;
+    member.extent = measures.extent_area;
+    member.eroded = measures.eroded;
+    member.top_speed = measures.peak_speed_slope;
+    member.thickness = measures.peak_thickness;
+    member.hash = hex(session->state_line().hash);
+    played.passed = exceedances.passed(session->peaks());
+    return played;
+}
+
+}  // namespace game

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/ensemble/exceedances.h"
+#include "game/ensemble/spec.h"
+#include "game/recording/json_values.h"
+
+namespace game {
+
+// What a finished run of an ensemble came to.
+struct Member {
+    std::int64_t number = 0;     // from 1
+    std::vector<double> sample;  // of each variable
+    std::string fault;           // why it could not run; all below is 0 then
+    std::string ended;           // "energy", "rest", "limit"
+    double seconds = 0;
+    double released = 0;           // m³ that rolled at tick 0
+    double run_out = 0, fall = 0;  // m
+    double extent = 0;             // m²
+    double eroded = 0;             // m³
+    double top_speed = 0;          // m/s, along the slope
+    double thickness = 0;          // m, normal to the slope: the greatest
+    std::string hash;              // of its last state
+    bool operator==(const Member&) const = default;
+};
+
+// A line of the journal, and back. Throws as the readers of json_values.h.
+Json to_json(const Member& member);
+Member member_from(const Json& json);
+
+// Plays a member, alone or beside others on threads of their own. Draws nothing and follows no front; ends when the
+// kinetic energy has fallen to 1 % of its greatest, as `run --until-rest` does. With `record` it is a recording too.
+// Errors: mass was not conserved, a recording cannot be written, or `stop` became true, which leaves nothing.
+struct PlayedMember {
+    Member member;
+    Exceedances::Passed passed;  // empty if it could not run
+};
+Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
+                                  const Exceedances& exceedances, const std::function<bool()>& stop,
+                                  const std::optional<std::filesystem::path>& record = std::nullopt);
+
+}  // namespace game

@@ -1,0 +1,239 @@
+#include "game/ensemble/spec.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "files/input.h"
+#include "game/ensemble/sobol.h"
+#include "game/files/toml_table.h"
+#include "game/recording/format.h"
+#include "game/scene/pressure.h"
+#include "game/scene/scenario.h"
+#include "xxhash.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ThresholdInfo {
+    Threshold::Of of;
+    std::string_view name, unit;
+    double most;
+};
+constexpr std::array kThresholds{ThresholdInfo{Threshold::Of::kThickness, "thickness", "m", 1000},
+                                 ThresholdInfo{Threshold::Of::kSpeed, "speed", "m/s", 1000},
+                                 ThresholdInfo{Threshold::Of::kPressure, "pressure", "kPa", 1e5}};
+
+const ThresholdInfo& info_of(Threshold::Of of) {
+    return *std::ranges::find(kThresholds, of, &ThresholdInfo::of);
+}
+
+// Reads one [[variable]].
+Variable read_variable(TomlTable& table, const Scene& scene) {
+    Variable variable;
+    const auto name = table.text("of").value_or("");
+    double least = 0, most = 0;
+    const sim::Params& params = scene.scenario.params;
+    if (name == "release") {
+        constexpr double kMostTimes = 10;
+        variable.of = Variable::Of::kRelease, most = kMostTimes;
+        if (std::ranges::none_of(scene.scenario.rolling, [](float thickness) { return thickness > 0; }))
+            table.blame("of", "is release, and the world has none");
+    } else if (name == "density") {
+        variable.of = Variable::Of::kDensity, least = kLeastDensity, most = kGreatestDensity;
+    } else if (const auto index = sim::param_from(name)) {
+        variable.param = &sim::kParams[static_cast<std::size_t>(*index)];
+        least = static_cast<double>(variable.param->least), most = static_cast<double>(variable.param->most);
+        if (!sim::is_used_by(*variable.param, params.model))
+            table.blame("of",
+                        fmt::format("is not a parameter of the model {}", sim::to_string(params.model)));
+    } else {
+        table.blame("of", "is neither release, density nor a parameter that can be set");
+    }
+    int given = 0;
+    std::vector<std::string_view> names;
+    for (const DistributionInfo& info : distribution_infos()) {
+        names.push_back(info.name);
+        if (!table.has(info.name)) continue;
+        ++given;
+        const auto numbers = info.count == 0 ? table.numbers(info.name, 1, Distribution::kMostListed)
+                                             : table.numbers(info.name, info.count);
+        if (!numbers) {
+            table.blame(info.name, fmt::format("is not a list of {}", info.numbers));
+            continue;
+        }
+        variable.distribution = {info.kind, *numbers};
+        if (const auto wrong = fault_of(variable.distribution, least, most)) table.blame(info.name, *wrong);
+    }
+    if (given != 1) table.blame("", fmt::format("needs exactly one of {}", fmt::join(names, ", ")));
+    table.finish();
+    return variable;
+}
+
+// Reads one [[map]] into a threshold for each of its numbers.
+void read_map(TomlTable& table, const Scene& scene, std::vector<Threshold>& thresholds) {
+    const auto name = table.text("of").value_or("");
+    const auto info = std::ranges::find(kThresholds, name, &ThresholdInfo::name);
+    if (info == kThresholds.end()) return table.blame("of", "is not one of thickness, speed, pressure");
+    if (info->of == Threshold::Of::kPressure && !densities_of(scene.scenario))
+        table.blame("of", "is pressure, and the density of the material is not known");
+    const auto over = table.numbers("over", 1, EnsembleSpec::kMostThresholds);
+    if (!over) table.blame("", fmt::format("needs `over`: a list of numbers, in {}", info->unit));
+    for (const double least : over.value_or(std::vector<double>{})) {
+        const Threshold threshold{info->of, least};
+        if (!(least > 0 && least <= info->most))
+            table.blame("over", fmt::format("has {}, which is not above 0 and at most {} {}", least,
+                                            info->most, info->unit));
+        if (std::ranges::find(thresholds, threshold) != thresholds.end())
+            table.blame("over", fmt::format("has {} {} twice", least, info->unit));
+        thresholds.push_back(threshold);
+    }
+    table.finish();
+}
+
+// A file that the spec names, beside or below it, unless the user trusts it.
+fs::path file_named(TomlTable& root, std::string_view key, const fs::path& folder,
+                    terrains::References references) {
+    const fs::path file = folder / root.text(key).value_or("");
+    if (references != terrains::References::kAllowed && !files::is_within(folder, file))
+        root.blame(key, "lies outside the folder of this file; add --allow-references if you trust it");
+    return file;
+}
+
+Outcome<Scene> read_world(TomlTable& root, const fs::path& folder, Overrides overrides, TomlFault& fault) {
+    if (const auto squares = root.whole("grid", 8, 4096)) overrides.squares = static_cast<int>(*squares);
+    if (const auto material = root.text("material")) {
+        overrides.material = *material;
+        if (material->find('/') != std::string::npos || material->find('.') != std::string::npos)
+            overrides.material = file_named(root, "material", folder, overrides.references).string();
+    }
+    if (const auto model = root.text("model")) {
+        overrides.model = sim::model_from(*model);
+        if (!overrides.model) root.blame("model", "is not one of bcre, bcre-inertial, voellmy");
+    }
+    if (const auto crs = root.text("crs")) overrides.crs = *crs;
+    if (root.has("scene") == root.has("terrain")) root.blame("", "needs either `scene` or `terrain`");
+    std::optional<terrains::Thickness> measured;
+    if (const auto thickness = root.text("thickness")) {
+        if (*thickness != "vertical" && *thickness != "normal")
+            root.blame("thickness", "is neither vertical nor normal");
+        measured = *thickness == "normal" ? terrains::Thickness::kNormal : terrains::Thickness::kVertical;
+    }
+    if (root.has("scene")) {
+        for (const char* key : {"release", "thickness", "crs"})
+            if (root.has(key)) root.blame(key, "applies to a `terrain` alone");
+        const std::string scene = root.text("scene").value_or("");
+        const bool is_file = scene.find('.') != std::string::npos || scene.find('/') != std::string::npos;
+        const std::string named =
+            is_file ? file_named(root, "scene", folder, overrides.references).string() : scene;
+        return fault ? unusable(*fault) : load_scene(named, overrides);
+    }
+    const fs::path dem = file_named(root, "terrain", folder, overrides.references);
+    const fs::path release = file_named(root, "release", folder, overrides.references);
+    if (!root.has("release")) root.blame("", "needs a `release` beside its terrain");
+    return fault ? unusable(*fault) : scene_of_terrain(dem, ReleaseFile{release, measured}, overrides);
+}
+
+std::string identity_of(const EnsembleSpec& spec) {
+    Header header;
+    header.scenario = spec.scene.scenario;
+    Json of = to_json(header);
+    for (const char* key : {"program", "look", "camera", "light", "wind"}) of.erase(key);
+    std::string text = of.dump(-1, ' ', false, Json::error_handler_t::replace);
+    for (const TimedCommand& each : spec.scene.commands) write(each, text);
+    text += fmt::format("{} {}", spec.seed, spec.seconds);
+    for (const Variable& each : spec.variables)
+        text += fmt::format("; {} {} {}", each.name(), static_cast<int>(each.distribution.kind),
+                            fmt::join(each.distribution.numbers, " "));
+    for (const Threshold& each : spec.thresholds) text += fmt::format("; {} {}", each.name(), each.least);
+    return hex(XXH3_64bits(text.data(), text.size()));
+}
+
+}  // namespace
+
+std::string_view Variable::name() const {
+    return of == Of::kRelease ? "release" : of == Of::kDensity ? "density" : param->name;
+}
+std::string_view Variable::unit() const {
+    return of == Of::kRelease ? "1" : of == Of::kDensity ? "kg/m3" : param->unit;
+}
+std::string_view Threshold::name() const {
+    return info_of(of).name;
+}
+std::string_view Threshold::unit() const {
+    return info_of(of).unit;
+}
+
+std::vector<double> EnsembleSpec::sample(std::int64_t member) const {
+    std::vector<double> values;
+    for (const Variable& variable : variables)
+        values.push_back(value_at(variable.distribution,
+                                  sobol(static_cast<std::uint64_t>(seed), static_cast<int>(values.size()),
+                                        static_cast<std::uint32_t>(member - 1))));
+    return values;
+}
+
+Outcome<Scenario> EnsembleSpec::scenario_of(const std::vector<double>& sample) const {
+    Scenario scenario = scene.scenario;
+    for (std::size_t i = 0; i < variables.size(); ++i) switch (variables[i].of) {
+            case Variable::Of::kParameter:
+                scenario.params.*variables[i].param->value = static_cast<float>(sample[i]);
+                break;
+            case Variable::Of::kDensity:
+                scenario.density = sample[i];
+                break;
+            case Variable::Of::kRelease:
+                for (float& thickness : scenario.rolling) thickness *= static_cast<float>(sample[i]);
+                break;
+        }
+    if (const auto wrong = sim::fault_of(scenario.params)) return unusable(*wrong);
+    if (const auto wrong = fault_of_commands(scenario.params, scene.commands)) return unusable(*wrong);
+    return scenario;
+}
+
+Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& overrides) {
+    const auto document = parse_toml(file);
+    if (!document) return tl::unexpected(document.error());
+    TomlFault fault;
+    TomlTable root(*document, "", file.string(), fault);
+    EnsembleSpec spec;
+    spec.file = file;
+    spec.title = root.text("title").value_or(file.stem().string());
+    spec.members = root.whole("members", 1, EnsembleSpec::kMostMembers).value_or(0);
+    if (!root.has("members")) root.blame("", "needs `members`: how many runs");
+    constexpr std::int64_t kGreatestSeed = 1'000'000'000;
+    spec.seed = root.whole("seed", 0, kGreatestSeed).value_or(spec.seed);
+    spec.seconds = root.number("seconds", 1, 86'400).value_or(spec.seconds);
+    auto scene =
+        read_world(root, file.parent_path().empty() ? fs::path(".") : file.parent_path(), overrides, fault);
+    if (fault) return unusable(*fault);
+    if (!scene) return tl::unexpected(scene.error());
+    spec.scene = std::move(*scene);
+    spec.scene.scenario.goal.reset();
+    if (spec.scene.scenario.flow) root.blame("scene", "is a flow demo, which has no avalanche");
+    for (TomlTable& table : root.tables("variable"))
+        spec.variables.push_back(read_variable(table, spec.scene));
+    for (TomlTable& table : root.tables("map")) read_map(table, spec.scene, spec.thresholds);
+    root.finish();
+    if (spec.variables.empty()) root.blame("", "needs at least one [[variable]]");
+    if (spec.variables.size() > static_cast<std::size_t>(kMostSobolDimensions))
+        root.blame("", fmt::format("has {} variables; at most {} are allowed", spec.variables.size(),
+                                   kMostSobolDimensions));
+    if (spec.thresholds.size() > EnsembleSpec::kMostThresholds)
+        root.blame("", fmt::format("maps {} thresholds; at most {} are allowed", spec.thresholds.size(),
+                                   EnsembleSpec::kMostThresholds));
+    for (std::size_t i = 0; i < spec.variables.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (spec.variables[i].name() == spec.variables[j].name())
+                root.blame("", fmt::format("has two variables of {}", spec.variables[i].name()));
+    if (fault) return unusable(*fault);
+    if (spec.thresholds.empty()) spec.thresholds = {{Threshold::Of::kThickness, 0.1}};
+    spec.identity = identity_of(spec);
+    return spec;
+}
+
+}  // namespace game

@@ -1,0 +1,225 @@
+// What becomes of an ensemble's members: the same results in any order, on any number of threads, and after any end.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "game/ensemble/ensemble.h"
+#include "game/ensemble/results.h"
+#include "game/files/text_file.h"
+#include "game/recording/format.h"
+#include "game/recording/reader.h"
+#include "tests/game/full_disk.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSpec =
+    "scene = \"landslide\"\ngrid = 20\nseconds = 30\nmembers = {}\n"
+    "[[variable]]\nof = \"friction\"\nuniform = [0.1, 0.4]\n"
+    "[[variable]]\nof = \"drag\"\nlist = [200, 1000]\n"
+    "[[map]]\nof = \"thickness\"\nover = [0.1, 1]\n"
+    "[[map]]\nof = \"speed\"\nover = [5]\n";
+
+class Ensemble : public testing::Test {
+  protected:
+    EnsembleSpec spec(int members = 8) {
+        const fs::path file = folder_.path() / "spec.toml";
+        EXPECT_TRUE(write_text(file, fmt::format(fmt::runtime(kSpec), members)));
+        auto read = read_ensemble_spec(file, {});
+        EXPECT_TRUE(read);
+        return std::move(*read);
+    }
+    fs::path at(const std::string& name) const { return folder_.path() / name; }
+    // Runs it, and returns all results but the journal, by name of file.
+    std::map<std::string, std::string> results(const EnsembleSpec& of, const std::string& name, int threads) {
+        const auto result = run_ensemble(of, at(name), threads);
+        EXPECT_TRUE(result) << result.error().sentence;
+        if (!result) return {};
+        EXPECT_TRUE(write_results(at(name), of, *result));
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::directory_iterator(at(name)))
+            if (entry.path().filename() != kJournalName)
+                files[entry.path().filename().string()] = read_text(entry.path()).value();
+        return files;
+    }
+    std::string journal(const std::string& name) { return read_text(at(name) / kJournalName).value(); }
+    // Why it does not run in this folder.
+    Failure refused(const EnsembleSpec& of, const std::string& name) {
+        const auto result = run_ensemble(of, at(name), 1);
+        EXPECT_FALSE(result);
+        return result ? Failure{Failure::kBadAnswer, ""} : result.error();
+    }
+
+    support::TemporaryFolder folder_;
+};
+
+TEST_F(Ensemble, has_the_same_results_on_any_number_of_threads_and_after_any_end) {
+    const EnsembleSpec eight = spec();
+    const auto alone = results(eight, "alone", 1);
+    ASSERT_EQ(alone.size(), 9u);  // members.csv, ensemble.json, exceedances.bin, and three maps twice
+    EXPECT_EQ(results(eight, "together", 3), alone);
+
+    // A process that was killed: some members are in the journal, one of them in part, and none in the counts.
+    const std::string lines = journal("alone");
+    ASSERT_TRUE(write_text(at("killed") / kJournalName, lines.substr(0, lines.size() * 2 / 3)));
+    EXPECT_EQ(results(eight, "killed", 2), alone);
+    // The same, with counts that lack members of the journal.
+    ASSERT_TRUE(run_ensemble(spec(3), at("later"), 1));
+    fs::copy_file(at("alone") / kJournalName, at("later") / kJournalName,
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(results(eight, "later", 2), alone);
+    // More members go on where fewer ended.
+    ASSERT_TRUE(run_ensemble(spec(5), at("grown"), 2));
+    const auto grown = run_ensemble(eight, at("grown"), 2);
+    ASSERT_TRUE(grown);
+    EXPECT_EQ(grown->before, 5);
+    EXPECT_EQ(results(eight, "grown", 1), alone);
+}
+
+TEST_F(Ensemble, counts_what_its_members_passed) {
+    const EnsembleSpec few = spec(4);
+    const auto result = run_ensemble(few, at("out"), 2);
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result->members.size(), 4u);
+    std::vector<int> counts(few.scene.scenario.grid.size());
+    const Exceedances none(few.scene.scenario, few.thresholds);
+    for (int member = 1; member <= 4; ++member) {
+        const auto played = play_member(few, member, none, [] { return false; });
+        ASSERT_TRUE(played);
+        EXPECT_EQ(played->member, result->members.at(member));
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += (played->passed[i] >> 1) & 1;
+    }
+    const std::vector<float> share = result->exceedances.probability(1);
+    int most = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        EXPECT_EQ(share[i], static_cast<float>(counts[i]) / 4) << i;
+        most = std::max(most, counts[i]);
+    }
+    EXPECT_EQ(most, 4);
+    EXPECT_NE(result->members.at(1).hash, result->members.at(2).hash);
+}
+
+TEST_F(Ensemble, plays_a_member_alone_to_the_same_state_as_a_recording) {
+    const EnsembleSpec few = spec(2);
+    const auto result = run_ensemble(few, at("out"), 1);
+    ASSERT_TRUE(result);
+    const Exceedances none(few.scene.scenario, few.thresholds);
+    const auto played = play_member(
+        few, 2, none, [] { return false; }, at("second.couloir"));
+    ASSERT_TRUE(played);
+    const auto recording = read_recording(at("second.couloir"));
+    ASSERT_TRUE(recording);
+    EXPECT_EQ(hex(recording->states.back().hash), result->members.at(2).hash);
+    EXPECT_EQ(recording->header.scenario.params.friction, static_cast<float>(few.sample(2)[0]));
+}
+
+TEST_F(Ensemble, refuses_a_folder_of_another_one_and_damage) {
+    const EnsembleSpec few = spec(2);
+    ASSERT_TRUE(run_ensemble(few, at("out"), 1));
+    EnsembleSpec other = spec(2);
+    other.identity = "0123456789abcdef";
+    EXPECT_NE(refused(other, "out").sentence.find("journal.jsonl:1: is the journal of another ensemble"),
+              std::string::npos);
+
+    EXPECT_NE(refused(spec(1), "out").sentence.find("has member 2, and"), std::string::npos);
+
+    const std::string lines = journal("out");
+    const std::size_t second = lines.find('\n') + 1;
+    const auto damaged = [&](const std::string& text) {
+        EXPECT_TRUE(write_text(at("bad") / kJournalName, text));
+        const Failure failure = refused(few, "bad");
+        EXPECT_EQ(failure.status, Failure::kUnusable);
+        EXPECT_EQ(read_text(at("bad") / kJournalName).value(), text) << "nothing is lost";
+        return failure.sentence;
+    };
+    EXPECT_NE(damaged(lines.substr(0, second) + "{}\n" + lines.substr(second)).find(":2: is no member"),
+              std::string::npos);
+    EXPECT_NE(damaged(lines + lines.substr(second)).find("a second time"), std::string::npos);
+    EXPECT_NE(damaged("words without a line break").find(":1: is not the journal"), std::string::npos);
+
+    const std::string counts = read_text(at("out") / kExceedancesName).value();
+    for (std::size_t i = 0; i < counts.size(); i += 97) {
+        std::string flipped = counts;
+        flipped[i] = static_cast<char>(flipped[i] ^ 4);
+        EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(flipped, few.identity)) << i;
+        EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(counts.substr(0, i), few.identity))
+            << i;
+    }
+    EXPECT_TRUE(Exceedances(few.scene.scenario, few.thresholds).take(counts, few.identity));
+    EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(counts, other.identity));
+    EXPECT_FALSE(Exceedances(few.scene.scenario, {}).take(counts, few.identity));
+}
+
+TEST_F(Ensemble, ends_with_a_sentence_where_a_member_comes_out_otherwise_than_before) {
+    const EnsembleSpec few = spec(2);
+    ASSERT_TRUE(run_ensemble(few, at("out"), 1));
+    fs::remove(at("out") / kExceedancesName);
+    std::string lines = journal("out");
+    const std::size_t hash = lines.rfind("\"hash\":\"") + 8;
+    lines.replace(hash, 16, "0123456789abcdef");
+    ASSERT_TRUE(write_text(at("out") / kJournalName, lines));
+    const Failure failure = refused(few, "out");
+    EXPECT_EQ(failure.status, Failure::kBadAnswer);
+    EXPECT_NE(failure.sentence.find("came to 0123456789abcdef before"), std::string::npos)
+        << failure.sentence;
+}
+
+TEST_F(Ensemble, has_one_writer) {
+    const EnsembleSpec few = spec(2);
+    const auto first = Journal::open(at("out") / kJournalName, few);
+    ASSERT_TRUE(first);
+    const Failure failure = refused(few, "out");
+    EXPECT_EQ(failure.status, Failure::kMachine);
+    EXPECT_EQ(failure.sentence, (at("out") / kJournalName).string() + ": another process writes it");
+}
+
+TEST_F(Ensemble, keeps_whole_lines_on_a_full_disk_and_goes_on_from_them) {
+    const EnsembleSpec eight = spec();
+    const auto all = results(eight, "all", 1);
+    {
+        const FullDisk disk(1500);
+        const Failure failure = refused(eight, "full");
+        EXPECT_EQ(failure.status, Failure::kMachine);
+        EXPECT_NE(failure.sentence.find(kJournalName), std::string::npos) << failure.sentence;
+    }
+    EXPECT_EQ(journal("full").back(), '\n');
+    EXPECT_EQ(results(eight, "full", 2), all);
+}
+
+TEST_F(Ensemble, tells_members_that_cannot_run_and_counts_the_others) {
+    const fs::path file = at("steep.toml");
+    ASSERT_TRUE(write_text(file,
+                           "scene = \"landslide\"\ngrid = 20\nseconds = 5\nmembers = 6\nmodel = \"bcre\"\n"
+                           "[[variable]]\nof = \"stop_slope\"\nlist = [0.3, 5]\n"));
+    const auto steep = read_ensemble_spec(file, {});
+    ASSERT_TRUE(steep) << steep.error().sentence;
+    const auto result = run_ensemble(*steep, at("out"), 2);
+    ASSERT_TRUE(result) << result.error().sentence;
+    int faults = 0;
+    for (const auto& [number, member] : result->members) faults += !member.fault.empty();
+    EXPECT_EQ(faults, 3);
+    EXPECT_EQ(result->exceedances.members(), 3);
+    EXPECT_EQ(to_json(*steep, *result).at("could_not_run"), 3);
+    EXPECT_EQ(results(*steep, "out", 1), results(*steep, "again", 1)) << "they are not tried again";
+}
+
+TEST(Spread, is_that_of_the_sorted_values) {
+    const Spread spread = spread_of({5, 1, 4, 2, 3, 6, 7, 8, 9, 10, 0});
+    EXPECT_EQ(spread.least, 0);
+    EXPECT_EQ(spread.tenth, 1);
+    EXPECT_EQ(spread.middle, 5);
+    EXPECT_EQ(spread.nine_tenths, 9);
+    EXPECT_EQ(spread.most, 10);
+    EXPECT_EQ(spread_of({}).most, 0);
+}
+
+}  // namespace
+}  // namespace game::test
