@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -81,7 +82,7 @@ class Work {
     }
 
     // Waits until all `threads` have ended, keeps the counts in their file, and shows progress. Errors: of a member or a file.
-    Outcome<void> watch(int threads, const fs::path& exceedances_file) {
+    Outcome<void> watch(std::size_t threads, const fs::path& exceedances_file) {
         constexpr std::chrono::milliseconds kLook{200};
         constexpr double kKeepEvery = 10;  // s
         Progress progress("members");
@@ -139,7 +140,7 @@ class Work {
     std::mutex mutex_;  // of all that follows, of journal and counts
     std::condition_variable changed_;
     std::size_t handed_ = 0, done_ = 0;
-    int ended_threads_ = 0;
+    std::size_t ended_threads_ = 0;
     std::optional<Failure> failure_;
     std::atomic<bool> stop_ = false;
 };
@@ -164,8 +165,12 @@ Outcome<EnsembleResult> run_ensemble(const EnsembleSpec& spec, const fs::path& f
     result.before = spec.members - static_cast<std::int64_t>(work.size());
     {
         std::vector<std::jthread> team;
-        for (int i = 0; i < threads; ++i) team.emplace_back([&work] { work.play(); });
-        if (auto done = work.watch(threads, folder / kExceedancesName); !done)
+        try {
+            for (int i = 0; i < threads; ++i) team.emplace_back([&work] { work.play(); });
+        } catch (const std::system_error& thrown) {  // fewer threads come to the same, later
+            if (team.empty()) return tl::unexpected(failure_of(thrown));
+        }
+        if (auto done = work.watch(team.size(), folder / kExceedancesName); !done)
             return tl::unexpected(done.error());
     }
     result.members = journal->members();

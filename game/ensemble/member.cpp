@@ -26,7 +26,7 @@ constexpr Figure kFigures[] = {{"seconds", &Member::seconds},     {"released", &
                                {"extent", &Member::extent},       {"eroded", &Member::eroded},
                                {"top_speed", &Member::top_speed}, {"thickness", &Member::thickness}};
 
-double cubic_metres_at_rest(const Session& session) {
+double released_by(const Session& session) {
     return session.cubic_metres(session.state().ledger.rolling);
 }
 
@@ -80,7 +80,8 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
         if (auto begun = session->record_from_start(std::move(*recorder)); !begun)
             return tl::unexpected(begun.error());
     }
-    member.released = cubic_metres_at_rest(*session);
+    if (!record) session->hash_when_asked();
+    member.released = released_by(*session);
     Until until;
     until.rest = Until::Rest::kEnergy;
     until.most_ticks = std::llrint(spec.seconds / static_cast<double>(scenario->params.tick_s));
@@ -101,7 +102,7 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
     member.eroded = measures.eroded;
     member.top_speed = measures.peak_speed_slope;
     member.thickness = measures.peak_thickness;
-    member.hash = hex(session->state_line().hash);
+    member.hash = hex(session->hash_now());
     played.passed = exceedances.passed(session->peaks());
     return played;
 }

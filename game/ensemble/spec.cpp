@@ -98,7 +98,7 @@ void read_map(TomlTable& table, const Scene& scene, std::vector<Threshold>& thre
 // A file that the spec names, beside or below it, unless the user trusts it.
 fs::path file_named(TomlTable& root, std::string_view key, const fs::path& folder,
                     terrains::References references) {
-    const fs::path file = folder / root.text(key).value_or("");
+    fs::path file = folder / root.text(key).value_or("");
     if (references != terrains::References::kAllowed && !files::is_within(folder, file))
         root.blame(key, "lies outside the folder of this file; add --allow-references if you trust it");
     return file;
@@ -190,6 +190,9 @@ Outcome<Scenario> EnsembleSpec::scenario_of(const std::vector<double>& sample) c
                 for (float& thickness : scenario.rolling) thickness *= static_cast<float>(sample[i]);
                 break;
         }
+    constexpr float kDeepestRelease = sim::kDeepest / 2;  // as of a release's file
+    if (!scenario.rolling.empty() && *std::ranges::max_element(scenario.rolling) > kDeepestRelease)
+        return unusable(fmt::format("a release of over {} m", kDeepestRelease));
     if (const auto wrong = sim::fault_of(scenario.params)) return unusable(*wrong);
     if (const auto wrong = fault_of_commands(scenario.params, scene.commands)) return unusable(*wrong);
     return scenario;

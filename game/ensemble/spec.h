@@ -61,7 +61,7 @@ struct EnsembleSpec {
 
     // The values of a member's variables. They follow from the seed and its number alone.
     std::vector<double> sample(std::int64_t member) const;
-    // The world of a member. Errors: its parameters do not go together.
+    // The world of a member. Errors: its parameters do not go together, or its release is too thick.
     Outcome<Scenario> scenario_of(const std::vector<double>& sample) const;
 };
 

@@ -63,11 +63,13 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     times_ = {};
     times_.solve_ms = ms_since(begun);
 
-    if (line_.tick % kTicksPerState == 0)
-        line_.before.clear();
-    else
-        line_.before.push_back(line_.hash);
-    find_hash();
+    if (hashes_) {
+        if (line_.tick % kTicksPerState == 0)
+            line_.before.clear();
+        else
+            line_.before.push_back(line_.hash);
+        find_hash();
+    }
     if (!rests) changed_at_ = state_.tick;
     // At rest the fronts do not change. A flow demo never rests.
     if ((fronts_ && !rests) || stage_) advance_fronts();
@@ -168,6 +170,16 @@ Outcome<void> Session::record_from_start(Recorder recorder) {
     CHECK(state_.tick == 0);
     record_in(std::move(recorder));
     return write_state();
+}
+
+void Session::hash_when_asked() {
+    CHECK(!recorder_);
+    hashes_ = false;
+}
+
+std::uint64_t Session::hash_now() {
+    find_hash();
+    return line_.hash;
 }
 
 void Session::find_hash() {
