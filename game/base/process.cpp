@@ -1,5 +1,6 @@
 #include "game/base/process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -100,6 +101,10 @@ Outcome<void> finish_standard_output() {
     if (const int number = closed ? reason : errno; number != 0)
         sentence += fmt::format(": {}", std::strerror(number));
     return machine_fails(std::move(sentence));
+}
+
+int processors() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void lower_priority_of_thread() {

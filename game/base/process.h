@@ -27,6 +27,9 @@ Outcome<void> finish_standard_output();
 // Gives the calling thread, and those that it starts, what processor time others leave.
 void lower_priority_of_thread();
 
+// How many processors the machine has, at least 1.
+int processors();
+
 // Asks the desktop to show a folder, with xdg-open. Returns false if there is no such program.
 bool show_folder(const std::filesystem::path& folder);
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "game/base/print.h"
+#include "game/base/process.h"
 #include "game/commands/commands.h"
 #include "game/ensemble/results.h"
 #include "game/files/file_use.h"
@@ -15,8 +15,7 @@ namespace game {
 namespace {
 
 int threads_of(const EnsembleOptions& options) {
-    if (options.threads > 0) return options.threads;
-    return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    return options.threads > 0 ? options.threads : processors();
 }
 
 std::string report_of(const EnsembleSpec& spec, const EnsembleResult& result) {
@@ -63,8 +62,8 @@ Outcome<int> play_one(const EnsembleOptions& options, const EnsembleSpec& spec) 
     for (std::size_t i = 0; i < spec.variables.size(); ++i)
         numbers += fmt::format("{}{} {}", i > 0 ? ", " : "", spec.variables[i].name(), member.sample[i]);
     print_text(fmt::format(
-        "member {}: {}\nrun-out {:.0f} m, top speed {:.1f} m/s, at rest after {:.1f} s\nstate hash {}\n",
-        member.number, numbers, member.run_out, member.top_speed, member.seconds, member.hash));
+        "member {}: {}\nrun-out {:.0f} m, top speed {:.1f} m/s, {:.1f} s, ended by {}\nstate hash {}\n",
+        member.number, numbers, member.run_out, member.top_speed, member.seconds, member.ended, member.hash));
     return 0;
 }
 
@@ -89,9 +88,7 @@ Outcome<int> ensemble(const EnsembleOptions& options) {
     print_text(options.json ? printed(to_json(*spec, *result)) : report_of(*spec, *result));
     if (result->interrupted)
         print_line(stderr, "couloir: interrupted; the same command goes on with the members that are left");
-    const bool all_ran =
-        std::ranges::all_of(result->members, [](const auto& each) { return each.second.fault.empty(); });
-    return !result->interrupted && all_ran ? 0 : Failure::kBadAnswer;
+    return !result->interrupted && faults_in(*result) == 0 ? 0 : Failure::kBadAnswer;
 }
 
 }  // namespace game

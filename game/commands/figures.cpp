@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "game/base/print.h"
+#include "game/base/process.h"
 #include "game/base/progress.h"
 #include "game/base/version.h"
 #include "game/commands/commands.h"
@@ -117,9 +117,7 @@ Outcome<int> figures(const FiguresOptions& options) {
         if (const auto path = find_asset(AssetKind::kRecording, figure.recording)) use.reads(*path);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
-    const int threads = options.threads > 0
-                            ? options.threads
-                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int threads = options.threads > 0 ? options.threads : processors();
     std::string made_by = fmt::format("{}, commit {}", kProgram, kCommit);
     const auto shown = draw_all(options, threads, made_by);
     if (!shown) return tl::unexpected(shown.error());

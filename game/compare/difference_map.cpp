@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <glm/ext/vector_int2.hpp>
 
 #include "game/compare/comparison.h"
 #include "game/compare/map_page.h"
@@ -53,27 +51,13 @@ void explain_colours(MapPage& page, float greatest) {
     for (std::size_t i = 0; i < kClasses.size(); ++i) page.swatch(kLess[i], label(i, "−"));
 }
 
-// The part to show: where anything moved or differs, with a margin, and an aspect ratio from 1:2 to 2:1.
-struct MapFrame {
-    glm::ivec2 first, last;
-};
+// Where anything moved or differs.
 MapFrame frame_of(const Comparison& comparison) {
-    const sim::Grid& grid = comparison.a.session.state().grid;
-    const glm::ivec2 most(grid.nx - 1, grid.ny - 1);
-    glm::ivec2 first = most, last(0);
-    std::size_t i = 0;
-    for (int y = 0; y < grid.ny; ++y)
-        for (int x = 0; x < grid.nx; ++x, ++i) {
-            const float peak =
-                std::max(comparison.a.session.peaks().depth[i], comparison.b.session.peaks().depth[i]);
-            if (peak < Measures::kExtentDepth && comparison.deposit[i] == 0) continue;
-            first = glm::min(first, glm::ivec2(x, y)), last = glm::max(last, glm::ivec2(x, y));
-        }
-    if (first.x > last.x) return {{0, 0}, most};
-    const glm::ivec2 cells = last - first + 1;
-    const int room = std::max(4, std::max(cells.x, cells.y) / 8);
-    const glm::ivec2 narrow = glm::max(glm::ivec2(0), glm::ivec2(cells.y, cells.x) / 2 - cells) / 2;
-    return {glm::max(first - narrow - room, glm::ivec2(0)), glm::min(last + narrow + room, most)};
+    return frame_around(comparison.a.session.state().grid, [&](std::size_t i) {
+        const float peak =
+            std::max(comparison.a.session.peaks().depth[i], comparison.b.session.peaks().depth[i]);
+        return peak >= Measures::kExtentDepth || comparison.deposit[i] != 0;
+    });
 }
 
 // Draws a ring around each command with a place that `a` has and `b` lacks. Returns whether there was one.
@@ -102,8 +86,7 @@ render::Picture difference_map(const Comparison& comparison, MapOf of) {
     const Scenario& scenario = comparison.a.of.recording.header.scenario;
     const std::vector<float>& field = of == MapOf::kDeposit ? comparison.deposit : comparison.peak_depth;
     const float greatest = greatest_class(field);
-    const MapFrame frame = frame_of(comparison);
-    MapPage page(scenario, frame.first, frame.last);
+    MapPage page(scenario, frame_of(comparison));
     page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
         return tint_of(between(scenario.grid, field, cells), greatest);
     });

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace game {
@@ -15,9 +16,13 @@ constexpr float kLeastPageHeight = 720;
 constexpr float kIndent = 38;  // of a legend entry's text
 const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
 
-Relief relief_for(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last) {
-    const glm::ivec2 cells = last - first + 1;
-    return {scenario, first, last, {kMargin, kMargin}, kMap / static_cast<float>(std::max(cells.x, cells.y))};
+Relief relief_for(const Scenario& scenario, const MapFrame& frame) {
+    const glm::ivec2 cells = frame.last - frame.first + 1;
+    return {scenario,
+            frame.first,
+            frame.last,
+            {kMargin, kMargin},
+            kMap / static_cast<float>(std::max(cells.x, cells.y))};
 }
 
 render::Sheet sheet_for(const Relief& relief) {
@@ -28,12 +33,26 @@ render::Sheet sheet_for(const Relief& relief) {
 
 }  // namespace
 
-MapPage::MapPage(const Scenario& scenario)
-    : MapPage(scenario, {0, 0}, {scenario.grid.nx - 1, scenario.grid.ny - 1}) {}
+MapFrame frame_around(const sim::Grid& grid, const std::function<bool(std::size_t)>& shows) {
+    const glm::ivec2 most(grid.nx - 1, grid.ny - 1);
+    glm::ivec2 first = most, last(0);
+    std::size_t i = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x, ++i)
+            if (shows(i)) first = glm::min(first, glm::ivec2(x, y)), last = glm::max(last, glm::ivec2(x, y));
+    if (first.x > last.x) return {{0, 0}, most};
+    const glm::ivec2 cells = last - first + 1;
+    const int room = std::max(4, std::max(cells.x, cells.y) / 8);
+    const glm::ivec2 narrow = glm::max(glm::ivec2(0), glm::ivec2(cells.y, cells.x) / 2 - cells) / 2;
+    return {glm::max(first - narrow - room, glm::ivec2(0)), glm::min(last + narrow + room, most)};
+}
 
-MapPage::MapPage(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last)
+MapPage::MapPage(const Scenario& scenario)
+    : MapPage(scenario, {{0, 0}, {scenario.grid.nx - 1, scenario.grid.ny - 1}}) {}
+
+MapPage::MapPage(const Scenario& scenario, const MapFrame& frame)
     : scenario_(scenario),
-      relief_(relief_for(scenario, first, last)),
+      relief_(relief_for(scenario, frame)),
       sheet_(sheet_for(relief_)),
       large_(26),
       usual_(17),

@@ -1,19 +1,31 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
+
+#include <glm/ext/vector_int2.hpp>
 
 #include "game/compare/lettering.h"
 #include "game/compare/relief.h"
 
 namespace game {
 
+// Vertices of a grid, both inclusive.
+struct MapFrame {
+    glm::ivec2 first, last;
+};
+// The part of a grid to show: where `shows(i)` holds for vertex i, row by row from the south, with a margin, and an aspect
+// ratio from 1:2 to 2:1. All of it if it holds nowhere.
+MapFrame frame_around(const sim::Grid& grid, const std::function<bool(std::size_t)>& shows);
+
 // A sheet with a world's relief on the left and a text column
 // beside it that is filled from the top: titles, legend, sentences.
 class MapPage {
   public:
-    // Shows all of the world, or its vertices from `first` to `last`.
+    // Shows all of the world, or a part of it.
     explicit MapPage(const Scenario& scenario);
-    MapPage(const Scenario& scenario, glm::ivec2 first, glm::ivec2 last);
+    MapPage(const Scenario& scenario, const MapFrame& frame);
 
     render::Sheet& sheet() { return sheet_; }
     const Relief& relief() const { return relief_; }

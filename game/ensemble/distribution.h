@@ -14,7 +14,7 @@ struct Distribution {
         kUniform,     // least, most
         kTriangular,  // least, most likely, most
         kPert,        // the same; a beta distribution of shape 4 (Malcolm and others, 1959)
-        kNormal,      // mean, standard deviation, least, most: what lies beyond these is left out
+        kNormal,      // mean, standard deviation, least, most: values beyond these are left out
         kList,        // values, each as likely
     };
     Kind kind = Kind::kUniform;

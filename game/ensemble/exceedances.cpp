@@ -66,7 +66,7 @@ Exceedances::Passed Exceedances::passed(const Peaks& peaks) const {
 
 void Exceedances::add(std::int64_t member, const Passed& passed) {
     CHECK(!has(member) && passed.size() == scenario_.grid.size());
-    if (member >= ssize(done_)) done_.resize(index(member) + 1);
+    if (member >= std::ssize(done_)) done_.resize(index(member) + 1);
     done_[index(member)] = 1;
     ++members_;
     for (std::size_t i = 0; i < passed.size(); ++i) {

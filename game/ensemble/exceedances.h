@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,7 @@ class Exceedances {
 
     // Counts a member; each once.
     void add(std::int64_t member, const Passed& passed);
-    bool has(std::int64_t member) const { return member < ssize(done_) && done_[index(member)] != 0; }
+    bool has(std::int64_t member) const { return member < std::ssize(done_) && done_[index(member)] != 0; }
     std::int64_t members() const { return members_; }
     const std::vector<Threshold>& thresholds() const { return thresholds_; }
     // Share of the members that passed a threshold, 0 to 1, at each vertex; NaN where there is no ground.
@@ -38,9 +39,6 @@ class Exceedances {
 
   private:
     static std::size_t index(std::int64_t member) { return static_cast<std::size_t>(member); }
-    static std::int64_t ssize(const std::vector<std::uint8_t>& of) {
-        return static_cast<std::int64_t>(of.size());
-    }
 
     const Scenario& scenario_;
     std::vector<Threshold> thresholds_;

@@ -26,7 +26,7 @@ constexpr std::array kTold{Told{"run_out", "m", "run-out", &Member::run_out},
                            Told{"eroded", "m3", "eroded", &Member::eroded}};
 
 // A text in a table of comma-separated values (RFC 4180).
-std::string quoted(const std::string& text) {
+std::string csv_text(const std::string& text) {
     std::string quoted;
     for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
     return text.empty() ? "" : '"' + quoted + '"';
@@ -44,7 +44,7 @@ std::string csv_of(const EnsembleSpec& spec, const EnsembleResult& result) {
         for (const double value : member.sample) text += fmt::format(",{}", value);
         text += fmt::format(",{},{:.2f}", member.ended, member.seconds);
         for (const Told& told : kTold) text += fmt::format(",{:.2f}", member.*told.value);
-        text += fmt::format(",{},{}\n", member.hash, quoted(member.fault));
+        text += fmt::format(",{},{}\n", member.hash, csv_text(member.fault));
     }
     return text;
 }
@@ -73,30 +73,13 @@ Relief::Tint tint_of(float share) {
     return tint;
 }
 
-// The vertices to show: all that any member reached, with some room.
-std::pair<glm::ivec2, glm::ivec2> frame_of(const sim::Grid& grid, const std::vector<float>& share) {
-    const glm::ivec2 most(grid.nx - 1, grid.ny - 1);
-    glm::ivec2 first = most, last(0);
-    std::size_t i = 0;
-    for (int y = 0; y < grid.ny; ++y)
-        for (int x = 0; x < grid.nx; ++x, ++i)
-            if (share[i] > 0)
-                first = glm::min(first, glm::ivec2(x, y)), last = glm::max(last, glm::ivec2(x, y));
-    if (first.x > last.x) return {{0, 0}, most};
-    const glm::ivec2 cells = last - first + 1;
-    const int room = std::max(4, std::max(cells.x, cells.y) / 8);
-    const glm::ivec2 narrow = glm::max(glm::ivec2(0), glm::ivec2(cells.y, cells.x) / 2 - cells) / 2;
-    return {glm::max(first - narrow - room, glm::ivec2(0)), glm::min(last + narrow + room, most)};
-}
-
 render::Picture map_of(const EnsembleSpec& spec, const EnsembleResult& result, std::size_t threshold) {
     const Scenario& scenario = spec.scene.scenario;
     const Threshold& of = result.exceedances.thresholds()[threshold];
     std::vector<float> share = result.exceedances.probability(threshold);
     for (float& each : share)
         if (std::isnan(each)) each = 0;
-    const auto [first, last] = frame_of(scenario.grid, share);
-    MapPage page(scenario, first, last);
+    MapPage page(scenario, frame_around(scenario.grid, [&](std::size_t i) { return share[i] > 0; }));
     page.relief().draw(page.sheet(),
                        [&](glm::vec2 cells) { return tint_of(between(scenario.grid, share, cells)); });
     page.relief().outline(page.sheet(), share, 0.5f, 1.4f, 0, {20, 20, 24});

@@ -190,7 +190,6 @@ Outcome<Scenario> EnsembleSpec::scenario_of(const std::vector<double>& sample) c
                 for (float& thickness : scenario.rolling) thickness *= static_cast<float>(sample[i]);
                 break;
         }
-    constexpr float kDeepestRelease = sim::kDeepest / 2;  // as of a release's file
     if (!scenario.rolling.empty() && *std::ranges::max_element(scenario.rolling) > kDeepestRelease)
         return unusable(fmt::format("a release of over {} m", kDeepestRelease));
     if (const auto wrong = sim::fault_of(scenario.params)) return unusable(*wrong);

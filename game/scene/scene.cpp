@@ -413,7 +413,6 @@ Outcome<void> add_release(const Terrain& terrain, const ReleaseFile& file, terra
                           Scene& scene) {
     auto release = terrains::read_release(file.path, terrain, file.measured, references);
     if (!release) return unusable(release.error());
-    constexpr float kDeepestRelease = sim::kDeepest / 2;
     if (const float most = *std::max_element(release->thickness.begin(), release->thickness.end());
         most > kDeepestRelease)
         return unusable(fmt::format("{}: {} m thick; at most {} m are allowed", file.path.string(), most,

@@ -56,6 +56,8 @@ struct Scene {
 // damage, with file and line, or a fault of the terrain or the material.
 Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overrides);
 
+inline constexpr float kDeepestRelease = sim::kDeepest / 2;  // m
+
 // A release to read, and how it is measured (terrains/release.h).
 struct ReleaseFile {
     std::filesystem::path path;

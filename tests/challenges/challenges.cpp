@@ -17,6 +17,7 @@
 #include "game/recording/reader.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
+#include "tests/challenges/shipped.h"
 #include "tests/support/places.h"
 
 namespace game::test {
@@ -32,10 +33,14 @@ std::vector<std::string> scenes_with_a_goal() {
     return names;
 }
 
+}  // namespace
+
 const std::vector<std::string>& challenges() {
     static const std::vector<std::string> names = scenes_with_a_goal();
     return names;
 }
+
+namespace {
 
 fs::path recording_of(const std::string& challenge, const std::string& end) {
     return support::source_dir() / "tests/challenges" / (challenge + "_" + end + ".couloir");
