@@ -10,37 +10,11 @@
 namespace game {
 namespace {
 
-// Okabe and Ito's colours, safe for colour-blind viewers, and greys; in the order of Part.
-constexpr const char* kChartStyle =
-    R"(:root { --p0: #0072b2; --p1: #e8d820; --p2: #e69f00; --p3: #009e73; --p4: #cc79a7; --p5: #9a9a9a; --p6: #56b4e9; --p7: #d55e00; --p8: #505050; --p9: #222; }
-@media (prefers-color-scheme: dark) { :root { --p0: #3d9be0; --p8: #c8c8c8; --p9: #e4e4e4; } }
-.row > figure { flex: 1 1 340px; max-width: 560px; }
-svg { display: block; width: 100%; height: auto; }
-svg text { font: 11px system-ui, sans-serif; fill: var(--ink); paint-order: stroke; stroke: var(--paper); stroke-width: 3px; }
-svg .grid { stroke: var(--line); } svg .axis { stroke: var(--soft); } svg .mark { stroke: var(--ink); stroke-dasharray: 3 3; }
-svg polygon { stroke: var(--paper); stroke-width: .4; } svg polyline { fill: none; stroke-width: 1.6; }
-.bad { color: #c33; font-weight: bold; }
-)";
-
-std::string colours() {
-    std::string style = kChartStyle;
-    for (std::size_t i = 0; i <= kPartCount; ++i)
-        style += fmt::format(
-            "svg .f{0} {{ fill: var(--p{0}); }} svg .l{0} {{ stroke: var(--p{0}); }} svg text.c{0} {{ fill: "
-            "var(--p{0}); }}\n",
-            i);
-    return style;
-}
-
 std::string legend_of_parts(std::size_t first, std::size_t end) {
     std::vector<LegendEntry> entries;
     for (std::size_t part = first; part < end; ++part)
         entries.push_back({kPartNames[part], static_cast<int>(part)});
     return legend_html(entries);
-}
-
-std::string figure(const std::string& svg, const std::string& caption) {
-    return "<figure>" + svg + "<figcaption>" + html_text(caption) + "</figcaption></figure>\n";
 }
 
 std::string name_of(const Measured& each) {
@@ -67,7 +41,7 @@ StackedPlot ticks_plot(const Measured& each) {
 }
 
 DistributionPlot distribution_plot(const Measured& each, const FrameFigures& figures) {
-    DistributionPlot plot{"ms of a tick", {}, {}};
+    DistributionPlot plot{"ms of a tick", "% of ticks", {}, true, {}};
     for (const PerfRow& row : each.rows) plot.values.push_back(row.ms.tick());
     plot.marks = {{fmt::format("median {:.3g}", figures.tick.median), figures.tick.median},
                   {fmt::format("95 % {:.3g}", figures.tick.p95), figures.tick.p95},
@@ -90,12 +64,13 @@ BarPlot bars_of(const BenchReport& report, std::size_t first, std::size_t end, c
 
 std::string bars_html(const BenchReport& report) {
     const bool drawn = report.around.drawn.has_value();
-    std::string html = "<h2 id=\"bars\">Where the time goes</h2>\n" +
-                       legend_of_parts(0, drawn ? kPartCount : kTickParts) + "<div class=\"row\">\n" +
-                       figure(svg_of(bars_of(report, 0, kTickParts, "ms of a tick, mean")), "Ticks alone.");
+    std::string html =
+        "<h2 id=\"bars\">Where the time goes</h2>\n" + legend_of_parts(0, drawn ? kPartCount : kTickParts) +
+        "<div class=\"row\">\n" +
+        figure_html(svg_of(bars_of(report, 0, kTickParts, "ms of a tick, mean")), "Ticks alone.");
     if (drawn)
-        html += figure(svg_of(bars_of(report, 0, kPartCount, "ms of a frame, mean")),
-                       "Ticks and the frames that draw them.");
+        html += figure_html(svg_of(bars_of(report, 0, kPartCount, "ms of a frame, mean")),
+                            "Ticks and the frames that draw them.");
     return html + "</div>\n";
 }
 
@@ -106,9 +81,9 @@ std::string cases_html(const BenchReport& report) {
         const FrameFigures figures = frame_figures(each);
         html += fmt::format("<h3>{}: {}</h3>\n<div class=\"row\">\n", html_text(name_of(each)),
                             to_string(each.proof));
-        html += figure(svg_of(ticks_plot(each)), "Time of a tick during the avalanche.");
-        html += figure(svg_of(distribution_plot(each, figures)),
-                       fmt::format("Distribution over {} ticks.", each.rows.size()));
+        html += figure_html(svg_of(ticks_plot(each)), "Time of a tick during the avalanche.");
+        html += figure_html(svg_of(distribution_plot(each, figures)),
+                            fmt::format("Distribution over {} ticks.", each.rows.size()));
         html += "</div>\n";
     }
     return html;
@@ -135,11 +110,11 @@ LogPlot scaling_plot(const Scaling& scaling, bool over_points) {
 
 std::string scaling_html(const Scaling& scaling) {
     return "<h2 id=\"scaling\">Scaling</h2>\n" + legend_of_parts(0, kPartCount) + "<div class=\"row\">\n" +
-           figure(svg_of(scaling_plot(scaling, false)),
-                  fmt::format("{} in {}, {:.0f} s after its start, on each grid.", scaling.recording,
-                              scaling.physics, scaling.rows.front().time_s)) +
-           figure(svg_of(scaling_plot(scaling, true)),
-                  "The same parts over the length of the front, at every moment.") +
+           figure_html(svg_of(scaling_plot(scaling, false)),
+                       fmt::format("{} in {}, {:.0f} s after its start, on each grid.", scaling.recording,
+                                   scaling.physics, scaling.rows.front().time_s)) +
+           figure_html(svg_of(scaling_plot(scaling, true)),
+                       "The same parts over the length of the front, at every moment.") +
            "</div>\n";
 }
 
@@ -168,7 +143,7 @@ std::string introduction(const BenchReport& report) {
 }  // namespace
 
 std::string page_of(const BenchReport& report, std::span<const Table> tables) {
-    std::string html = begin_page("Couloir benchmark", colours()) + introduction(report);
+    std::string html = begin_page("Couloir benchmark", plot_style(kPartCount + 1)) + introduction(report);
     if (!report.cases.empty()) html += bars_html(report);
     if (report.scaling) html += scaling_html(*report.scaling);
     html += "<h2 id=\"numbers\">In numbers</h2>\n";

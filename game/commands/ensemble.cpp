@@ -36,14 +36,9 @@ std::string report_of(const EnsembleSpec& spec, const EnsembleResult& result) {
     }
     if (const std::int64_t moving = unfinished_in(result); moving > 0)
         text += fmt::format("{} members were still moving after {} s\n", moving, spec.seconds);
-    Table table{"", {"", "least", "10 %", "median", "90 %", "most"}, {}};
-    for (const Told& told : told_of_members()) {
-        const Spread s = spread_of(values_of(result, told.value));
-        table.rows.push_back({fmt::format("{}, {}", told.words, told.unit), fmt::format("{:.1f}", s.least),
-                              fmt::format("{:.1f}", s.tenth), fmt::format("{:.1f}", s.middle),
-                              fmt::format("{:.1f}", s.nine_tenths), fmt::format("{:.1f}", s.most)});
-    }
-    return text + as_text(table);
+    text += as_text(spread_table(result));
+    const Table variance = variance_table(spec, result);
+    return variance.rows.empty() ? text : text + as_text(variance);
 }
 
 // Plays one member alone, for a recording.
@@ -51,9 +46,9 @@ Outcome<int> play_one(const EnsembleOptions& options, const EnsembleSpec& spec) 
     if (*options.member > spec.members)
         return unusable(
             fmt::format("--member {}: {} has {} members", *options.member, spec.file.string(), spec.members));
-    const Exceedances exceedances(spec.scene.scenario, spec.thresholds);
+    const VertexCounts counts(spec.scene.scenario, spec.maps);
     const auto played = play_member(
-        spec, *options.member, exceedances, [] { return false; }, options.record);
+        spec, *options.member, counts, [] { return false; }, options.record);
     if (!played) return tl::unexpected(played.error());
     const Member& member = played->member;
     if (!member.fault.empty())

@@ -13,6 +13,7 @@
 #include "game/compare/difference_map.h"
 #include "game/files/assets.h"
 #include "game/files/text_file.h"
+#include "game/pages/table.h"
 #include "game/recording/divergence_report.h"
 #include "game/recording/scenario_difference.h"
 #include "terrains/export.h"
@@ -146,7 +147,6 @@ Comparison comparison_of(const Played& a, const Played& b, const sim::StepOption
 
 std::string to_text(const Comparison& comparison) {
     const auto names = names_of(comparison);
-    const std::size_t width = std::max({names[0].size(), names[1].size(), std::size_t{12}});
     std::string text;
     if (comparison.said.empty()) {
         text += "same input: scenario and commands\n";
@@ -157,14 +157,14 @@ std::string to_text(const Comparison& comparison) {
         if (comparison.said.size() > kMostSaid)
             text += fmt::format("  and {} more\n", comparison.said.size() - kMostSaid);
     }
-    text +=
-        fmt::format("\n{:<25}{:>{}}  {:>{}}  {:>12}\n", "", names[0], width, names[1], width, "difference");
+    Table table{"", {"", names[0], names[1], "difference"}, {}};
     for (const Row& row : rows_of(comparison))
-        text += fmt::format("{:<25}{:>{}.{}f}  {:>{}.{}f}  {:>12}\n", row.what, row.a, width, row.digits,
-                            row.b, width, row.digits, signed_text(row.b - row.a, row.digits));
+        table.rows.push_back({row.what, fmt::format("{:.{}f}", row.a, row.digits),
+                              fmt::format("{:.{}f}", row.b, row.digits),
+                              signed_text(row.b - row.a, row.digits)});
     const auto rests = [](const Played& played) { return played.at_rest ? "yes" : "no"; };
-    text += fmt::format("{:<25}{:>{}}  {:>{}}\n\n", "at rest", rests(comparison.a), width,
-                        rests(comparison.b), width);
+    table.rows.push_back({"at rest", rests(comparison.a), rests(comparison.b), ""});
+    text += as_text(table) + "\n";
     if (comparison.overlap)
         text += fmt::format("extents overlap by {:.3f} (intersection over union)\n", *comparison.overlap);
     text +=

@@ -16,18 +16,32 @@ constexpr float kLeastPageHeight = 720;
 constexpr float kIndent = 38;  // of a legend entry's text
 const glm::vec3 kText{38, 40, 46}, kDim{110, 114, 122};
 
+// The greatest 1, 2 or 5 times a power of ten that is at most this.
+double round_step(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (const double times : {5.0, 2.0})
+        if (times * power <= most) return times * power;
+    return power;
+}
+
+// Room on the left, for northings where there are any.
+float margin_left(const Scenario& scenario) {
+    constexpr float kNorthing = 56;
+    return scenario.georeference.has_coordinates() ? kMargin + kNorthing : kMargin;
+}
+
 Relief relief_for(const Scenario& scenario, const MapFrame& frame) {
     const glm::ivec2 cells = frame.last - frame.first + 1;
     return {scenario,
             frame.first,
             frame.last,
-            {kMargin, kMargin},
+            {margin_left(scenario), kMargin},
             kMap / static_cast<float>(std::max(cells.x, cells.y))};
 }
 
-render::Sheet sheet_for(const Relief& relief) {
+render::Sheet sheet_for(const Scenario& scenario, const Relief& relief) {
     const glm::vec2 map = relief.size();
-    return {static_cast<int>(std::ceil(map.x + 2 * kMargin + kGap + MapPage::kColumn)),
+    return {static_cast<int>(std::ceil(margin_left(scenario) + map.x + kMargin + kGap + MapPage::kColumn)),
             static_cast<int>(std::ceil(std::max(map.y + 2 * kMargin, kLeastPageHeight)))};
 }
 
@@ -53,11 +67,11 @@ MapPage::MapPage(const Scenario& scenario)
 MapPage::MapPage(const Scenario& scenario, const MapFrame& frame)
     : scenario_(scenario),
       relief_(relief_for(scenario, frame)),
-      sheet_(sheet_for(relief_)),
+      sheet_(sheet_for(scenario, relief_)),
       large_(26),
       usual_(17),
       small_(14),
-      pen_(kMargin + relief_.size().x + kGap, kMargin - 4) {}
+      pen_(margin_left(scenario) + relief_.size().x + kGap, kMargin - 4) {}
 
 void MapPage::write(const Lettering& letters, const std::string& text, const glm::vec3& colour) {
     std::istringstream words(text);
@@ -118,15 +132,39 @@ void MapPage::ring(const glm::vec3& colour, const std::string& meaning) {
     pen_.y += usual_.height() + 6;
 }
 
+void MapPage::coordinates() {
+    const terrains::Georeference& place = scenario_.georeference;
+    if (!place.has_coordinates()) return;
+    const double dx = scenario_.grid.dx;
+    const glm::vec2 size = relief_.size(), corner = relief_.corner();
+    constexpr float kTick = 5;
+    constexpr double kBetween = 170;  // px, about
+    const double step = round_step(kBetween * dx / static_cast<double>(relief_.pixels_per_cell()));
+    const auto first = [&](double from) { return std::ceil(from / step) * step; };
+    const glm::vec2 low = relief_.cells(corner + glm::vec2(0, size.y)),
+                    high = relief_.cells(corner + glm::vec2(size.x, 0));
+    const double west = place.origin_x() + static_cast<double>(low.x) * dx,
+                 east = place.origin_x() + static_cast<double>(high.x) * dx;
+    const double south = place.origin_y() + static_cast<double>(low.y) * dx,
+                 north = place.origin_y() + static_cast<double>(high.y) * dx;
+    for (double at = first(west); at <= east; at += step) {
+        const float x = relief_.place({static_cast<float>((at - place.origin_x()) / dx), 0}).x,
+                    y = corner.y + size.y;
+        sheet_.line({x, y - kTick}, {x, y + 2}, 1.2f, kDim);
+        const std::string text = fmt::format("{:.0f}", at);
+        small_.write(sheet_, {x - small_.width(text) / 2, y + 4}, text, kDim);
+    }
+    for (double at = first(south); at <= north; at += step) {
+        const float y = relief_.place({0, static_cast<float>((at - place.origin_y()) / dx)}).y;
+        sheet_.line({corner.x - 2, y}, {corner.x + kTick, y}, 1.2f, kDim);
+        const std::string text = fmt::format("{:.0f}", at);
+        small_.write(sheet_, {corner.x - 6 - small_.width(text), y - small_.height() / 2}, text, kDim);
+    }
+}
+
 void MapPage::scale_bar() {
     const double metres_per_pixel = static_cast<double>(scenario_.grid.dx / relief_.pixels_per_cell());
-    const double most = 0.55 * static_cast<double>(kColumn) * metres_per_pixel;
-    double metres = std::pow(10, std::floor(std::log10(most)));
-    for (const double times : {5.0, 2.0})
-        if (times * metres <= most) {
-            metres *= times;
-            break;
-        }
+    const double metres = round_step(0.55 * static_cast<double>(kColumn) * metres_per_pixel);
     const auto length = static_cast<float>(metres / metres_per_pixel);
     const float y =
         std::round(std::max(pen_.y + 40, static_cast<float>(sheet_.picture.height) - kMargin)) - 2.5f;

@@ -40,6 +40,8 @@ class MapPage {
     void swatch(const glm::vec3& colour, const std::string& meaning);
     void stroke(float width, float dash, const glm::vec3& colour, const std::string& meaning);
     void ring(const glm::vec3& colour, const std::string& meaning);
+    // Writes coordinates along the left and the lower edge of the map, where the world has any.
+    void coordinates();
     // Draws a scale bar and a north arrow at the foot of the column.
     void scale_bar();
 

@@ -20,10 +20,11 @@ class Relief {
     Relief(const Scenario& scenario, glm::vec2 first, glm::vec2 last, glm::vec2 corner,
            float pixels_per_cell);
 
-    glm::vec2 size() const;                  // px
-    glm::vec2 place(glm::vec2 cells) const;  // of a vertex, on the sheet
-    glm::vec2 cells(glm::vec2 place) const;  // inverse of place()
-    bool covers(glm::vec2 place) const;      // a place on the sheet
+    glm::vec2 corner() const { return corner_; }  // top left, on the sheet
+    glm::vec2 size() const;                       // px
+    glm::vec2 place(glm::vec2 cells) const;       // of a vertex, on the sheet
+    glm::vec2 cells(glm::vec2 place) const;       // inverse of place()
+    bool covers(glm::vec2 place) const;           // a place on the sheet
     float pixels_per_cell() const { return scale_; }
 
     // `tint(cells)` colours the ground: sRGB 0 to 255 and an opacity, 0 to 1. The relief shades it too.

@@ -95,6 +95,10 @@ const std::vector<DistributionInfo>& distribution_infos() {
     return kInfos;
 }
 
+const DistributionInfo& info_of(Kind kind) {
+    return *std::ranges::find(distribution_infos(), kind, &DistributionInfo::kind);
+}
+
 std::optional<std::string> fault_of(const Distribution& distribution, double least, double most) {
     const std::vector<double>& numbers = distribution.numbers;
     if (numbers.empty()) return "has no value";

@@ -30,6 +30,7 @@ struct DistributionInfo {
     std::size_t count;               // of its numbers; 0: any
 };
 const std::vector<DistributionInfo>& distribution_infos();
+const DistributionInfo& info_of(Distribution::Kind kind);
 
 // What is wrong with it, where values may lie from `least` to `most`; nothing if it can be drawn from.
 std::optional<std::string> fault_of(const Distribution& distribution, double least, double most);

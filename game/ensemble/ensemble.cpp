@@ -27,7 +27,7 @@ double seconds_since(Clock::time_point begun) {
 }
 
 // What is left of an earlier call.
-Outcome<void> take_exceedances(const fs::path& file, const EnsembleSpec& spec, Exceedances& exceedances) {
+Outcome<void> take_counts(const fs::path& file, const EnsembleSpec& spec, VertexCounts& counts) {
     std::error_code error;
     if (!fs::exists(file, error)) return {};
     const auto wrong = [&](const std::string& fact) {
@@ -35,11 +35,11 @@ Outcome<void> take_exceedances(const fs::path& file, const EnsembleSpec& spec, E
             fmt::format("{}: {}; delete it, and its members are played again", file.string(), fact));
     };
     const std::uintmax_t size = fs::file_size(file, error);
-    if (!error && size > exceedances.most_bytes())
+    if (!error && size > counts.most_bytes())
         return wrong(fmt::format("has {} bytes, which is too many for its grid and maps", size));
     const auto bytes = read_text(file);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (const auto taken = exceedances.take(*bytes, spec.identity); !taken) return wrong(taken.error());
+    if (const auto taken = counts.take(*bytes, spec.identity); !taken) return wrong(taken.error());
     return {};
 }
 
@@ -52,12 +52,12 @@ std::string time_left(double seconds) {
 // The members that are still to be played, handed out one by one, and what came of them.
 class Work {
   public:
-    Work(const EnsembleSpec& spec, Journal& journal, Exceedances& exceedances)
-        : spec_(spec), journal_(journal), exceedances_(exceedances) {
+    Work(const EnsembleSpec& spec, Journal& journal, VertexCounts& counts)
+        : spec_(spec), journal_(journal), counts_(counts) {
         for (std::int64_t number = 1; number <= spec.members; ++number) {
             const auto found = journal.members().find(number);
             const bool is_done =
-                found != journal.members().end() && (!found->second.fault.empty() || exceedances.has(number));
+                found != journal.members().end() && (!found->second.fault.empty() || counts.has(number));
             if (!is_done) todo_.push_back(number);
         }
     }
@@ -68,8 +68,7 @@ class Work {
     void play() {
         try {
             while (const std::optional<std::int64_t> number = next())
-                if (auto played = play_member(spec_, *number, exceedances_, [this] { return stopped(); });
-                    !played)
+                if (auto played = play_member(spec_, *number, counts_, [this] { return stopped(); }); !played)
                     fail(std::move(played.error()));
                 else
                     finish(*played);
@@ -82,7 +81,7 @@ class Work {
     }
 
     // Waits until all `threads` have ended, keeps the counts in their file, and shows progress. Errors: of a member or a file.
-    Outcome<void> watch(std::size_t threads, const fs::path& exceedances_file) {
+    Outcome<void> watch(std::size_t threads, const fs::path& counts_file) {
         constexpr std::chrono::milliseconds kLook{200};
         constexpr double kKeepEvery = 10;  // s
         Progress progress("members");
@@ -98,14 +97,14 @@ class Work {
                                              done_ == 0 ? "the first one runs" : time_left(left)));
             if (seconds_since(kept) < kKeepEvery) continue;
             kept = Clock::now();
-            const std::string bytes = exceedances_.bytes(spec_.identity);
+            const std::string bytes = counts_.bytes(spec_.identity);
             lock.unlock();
-            const auto written = write_text(exceedances_file, bytes);
+            const auto written = write_text(counts_file, bytes);
             lock.lock();
             if (!written) fail_locked(written.error());
         }
         if (failure_) return tl::unexpected(*failure_);
-        return write_text(exceedances_file, exceedances_.bytes(spec_.identity));
+        return write_text(counts_file, counts_.bytes(spec_.identity));
     }
 
     bool stopped() const { return stop_; }
@@ -120,7 +119,7 @@ class Work {
         const std::lock_guard lock(mutex_);
         if (failure_) return;
         if (auto added = journal_.add(played.member); !added) return fail_locked(added.error());
-        if (played.member.fault.empty()) exceedances_.add(played.member.number, played.passed);
+        if (played.member.fault.empty()) counts_.add(played.member.number, played.marks);
         ++done_;
         changed_.notify_one();
     }
@@ -135,7 +134,7 @@ class Work {
 
     const EnsembleSpec& spec_;
     Journal& journal_;
-    Exceedances& exceedances_;
+    VertexCounts& counts_;
     std::vector<std::int64_t> todo_;
     std::mutex mutex_;  // of all that follows, of journal and counts
     std::condition_variable changed_;
@@ -155,13 +154,13 @@ Outcome<EnsembleResult> run_ensemble(const EnsembleSpec& spec, const fs::path& f
         return unusable(fmt::format("{}: has member {}, and {} has only {} members",
                                     (folder / kJournalName).string(), members.rbegin()->first,
                                     spec.file.string(), spec.members));
-    EnsembleResult result{{}, Exceedances(spec.scene.scenario, spec.thresholds)};
-    if (auto taken = take_exceedances(folder / kExceedancesName, spec, result.exceedances); !taken)
+    EnsembleResult result{{}, VertexCounts(spec.scene.scenario, spec.maps)};
+    if (auto taken = take_counts(folder / kCountsName, spec, result.counts); !taken)
         return tl::unexpected(taken.error());
     result.dropped = journal->dropped();
 
     note_interrupts();
-    Work work(spec, *journal, result.exceedances);
+    Work work(spec, *journal, result.counts);
     result.before = spec.members - static_cast<std::int64_t>(work.size());
     {
         std::vector<std::jthread> team;
@@ -170,7 +169,7 @@ Outcome<EnsembleResult> run_ensemble(const EnsembleSpec& spec, const fs::path& f
         } catch (const std::system_error& thrown) {  // fewer threads come to the same, later
             if (team.empty()) return tl::unexpected(failure_of(thrown));
         }
-        if (auto done = work.watch(team.size(), folder / kExceedancesName); !done)
+        if (auto done = work.watch(team.size(), folder / kCountsName); !done)
             return tl::unexpected(done.error());
     }
     result.members = journal->members();

@@ -5,20 +5,20 @@
 #include <map>
 
 #include "game/base/outcome.h"
-#include "game/ensemble/exceedances.h"
 #include "game/ensemble/journal.h"
 #include "game/ensemble/member.h"
 #include "game/ensemble/spec.h"
+#include "game/ensemble/vertex_counts.h"
 
 namespace game {
 
 inline constexpr const char* kJournalName = "journal.jsonl";
-inline constexpr const char* kExceedancesName = "exceedances.bin";
+inline constexpr const char* kCountsName = "counts.bin";
 
 // All members of an ensemble, or those that finished before Ctrl+C.
 struct EnsembleResult {
     std::map<std::int64_t, Member> members;
-    Exceedances exceedances;
+    VertexCounts counts;
     std::int64_t before = 0;  // of them: found in the folder, from earlier calls
     std::size_t dropped = 0;  // bytes of a line of the journal that an earlier call had cut off
     double seconds = 0;       // of this call

@@ -59,8 +59,8 @@ Member member_from(const Json& json) {
     return member;
 }
 
-Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
-                                  const Exceedances& exceedances, const std::function<bool()>& stop,
+Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number, const VertexCounts& counts,
+                                  const std::function<bool()>& stop,
                                   const std::optional<std::filesystem::path>& record) {
     PlayedMember played;
     Member& member = played.member;
@@ -103,7 +103,7 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
     member.top_speed = measures.peak_speed_slope;
     member.thickness = measures.peak_thickness;
     member.hash = hex(session->hash_now());
-    played.passed = exceedances.passed(session->peaks());
+    played.marks = counts.marks(session->peaks());
     return played;
 }
 

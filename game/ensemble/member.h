@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "game/ensemble/exceedances.h"
 #include "game/ensemble/spec.h"
+#include "game/ensemble/vertex_counts.h"
 #include "game/recording/json_values.h"
 
 namespace game {
@@ -37,10 +37,10 @@ Member member_from(const Json& json);
 // Errors: mass was not conserved, a recording cannot be written, or `stop` became true, which leaves nothing.
 struct PlayedMember {
     Member member;
-    Exceedances::Passed passed;  // empty if it could not run
+    Marks marks;  // empty if it could not run
 };
-Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
-                                  const Exceedances& exceedances, const std::function<bool()>& stop,
+Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number, const VertexCounts& counts,
+                                  const std::function<bool()>& stop,
                                   const std::optional<std::filesystem::path>& record = std::nullopt);
 
 }  // namespace game

@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "game/compare/map_page.h"
+#include "game/ensemble/maps.h"
+#include "game/ensemble/page.h"
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
-#include "render/pictures/picture.h"
+#include "render/pictures/png.h"
 #include "terrains/export.h"
 
 namespace game {
@@ -49,66 +50,6 @@ std::string csv_of(const EnsembleSpec& spec, const EnsembleResult& result) {
     return text;
 }
 
-std::string name_of(const Threshold& threshold) {
-    return fmt::format("probability_{}_over_{}", threshold.name(), threshold.least);
-}
-
-// Classes of probability, from small to large (viridis of van der Walt and Smith, 2015, reversed: dark is likely).
-struct Class {
-    float least;
-    glm::vec3 colour;
-    const char* words;
-};
-const std::array<Class, 6> kClasses{{{1e-6f, {253, 231, 37}, "below 5 %"},
-                                     {0.05f, {122, 209, 81}, "5 to 25 %"},
-                                     {0.25f, {34, 168, 132}, "25 to 50 %"},
-                                     {0.5f, {42, 120, 142}, "50 to 75 %"},
-                                     {0.75f, {65, 68, 135}, "75 to 95 %"},
-                                     {0.95f, {68, 1, 84}, "95 % and more"}}};
-
-Relief::Tint tint_of(float share) {
-    Relief::Tint tint;
-    for (const Class& each : kClasses)
-        if (share >= each.least) tint = {each.colour, 0.82f};
-    return tint;
-}
-
-render::Picture map_of(const EnsembleSpec& spec, const EnsembleResult& result, std::size_t threshold) {
-    const Scenario& scenario = spec.scene.scenario;
-    const Threshold& of = result.exceedances.thresholds()[threshold];
-    std::vector<float> share = result.exceedances.probability(threshold);
-    for (float& each : share)
-        if (std::isnan(each)) each = 0;
-    MapPage page(scenario, frame_around(scenario.grid, [&](std::size_t i) { return share[i] > 0; }));
-    page.relief().draw(page.sheet(),
-                       [&](glm::vec2 cells) { return tint_of(between(scenario.grid, share, cells)); });
-    page.relief().outline(page.sheet(), share, 0.5f, 1.4f, 0, {20, 20, 24});
-    page.title(fmt::format("Probability of {} of {} {} and more", of.name(), of.least, of.unit()));
-    page.say(fmt::format("{}: {} members", spec.title, result.exceedances.members()));
-    page.skip(12);
-    for (std::size_t i = kClasses.size(); i-- > 0;) page.swatch(kClasses[i].colour, kClasses[i].words);
-    page.skip(6);
-    page.stroke(1.6f, 0, {20, 20, 24}, "one half");
-    page.skip(12);
-    const Spread run_out = spread_of(values_of(result, &Member::run_out));
-    page.say(fmt::format("run-out {:.0f} m; in four of five members {:.0f} to {:.0f} m", run_out.middle,
-                         run_out.tenth, run_out.nine_tenths));
-    page.skip(8);
-    for (const Variable& variable : spec.variables) {
-        std::string numbers;
-        for (std::size_t i = 0; i < variable.distribution.numbers.size() && i < 6; ++i)
-            numbers += fmt::format("{}{}", i > 0 ? ", " : "", variable.distribution.numbers[i]);
-        for (const DistributionInfo& info : distribution_infos())
-            if (info.kind == variable.distribution.kind)
-                page.whisper(fmt::format("{}: {} ({})", variable.name(), info.name, numbers));
-    }
-    page.skip(8);
-    page.whisper(scenario.terrain + (scenario.licence.empty() ? "" : ". " + scenario.licence));
-    page.whisper("Not a hazard assessment.");
-    page.scale_bar();
-    return page.sheet().picture;
-}
-
 }  // namespace
 
 std::vector<double> values_of(const EnsembleResult& result, double Member::*value) {
@@ -140,6 +81,45 @@ Spread spread_of(std::vector<double> values) {
     return {at(0), at(0.1), at(0.5), at(0.9), at(1)};
 }
 
+Table spread_table(const EnsembleResult& result) {
+    Table table{"", {"", "least", "10 %", "median", "90 %", "most"}, {}};
+    for (const Told& told : kTold) {
+        const Spread s = spread_of(values_of(result, told.value));
+        std::vector<std::string> row{fmt::format("{}, {}", told.words, told.unit)};
+        for (const double value : {s.least, s.tenth, s.middle, s.nine_tenths, s.most})
+            row.push_back(fmt::format("{:.1f}", value));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::optional<VarianceShares> variance_of(const EnsembleResult& result, double Member::*value) {
+    std::vector<std::vector<double>> samples;
+    for (const auto& [number, member] : result.members)
+        if (member.fault.empty()) samples.push_back(member.sample);
+    return variance_shares(samples, values_of(result, value));
+}
+
+Table variance_table(const EnsembleSpec& spec, const EnsembleResult& result) {
+    Table table{"", {"% of the variance of"}, {}};
+    for (const Variable& variable : spec.variables) table.head.emplace_back(variable.name());
+    table.head.emplace_back("together");
+    for (const Told& told : kTold) {
+        const auto shares = variance_of(result, told.value);
+        if (!shares) continue;
+        std::vector<std::string> row{told.words};
+        const auto add = [&](const VarianceShare& share) {
+            // Plus 0, so that nothing is "-0".
+            row.push_back(
+                fmt::format("{:.0f} ± {:.0f}", std::round(100 * share.share) + 0.0, 200 * share.error));
+        };
+        for (const VarianceShare& share : shares->of) add(share);
+        add(shares->together);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 Json to_json(const EnsembleSpec& spec, const EnsembleResult& result) {
     Json json{{"title", spec.title},
               {"ensemble", spec.identity},
@@ -160,6 +140,17 @@ Json to_json(const EnsembleSpec& spec, const EnsembleResult& result) {
                            {"median", spread.middle},
                            {"nine_tenths", spread.nine_tenths},
                            {"most", spread.most}};
+        const auto shares = variance_of(result, told.value);
+        if (!shares) continue;
+        Json& of = json[told.name]["share_of_variance"];
+        const auto tell = [&](const std::string& name, const VarianceShare& share) {
+            constexpr double kDigits = 1e4;
+            of[name] = {{"share", std::round(kDigits * share.share) / kDigits},
+                        {"error", std::round(kDigits * share.error) / kDigits}};
+        };
+        for (std::size_t i = 0; i < spec.variables.size(); ++i)
+            tell(std::string(spec.variables[i].name()), shares->of[i]);
+        tell("together", shares->together);
     }
     return json;
 }
@@ -167,17 +158,22 @@ Json to_json(const EnsembleSpec& spec, const EnsembleResult& result) {
 Outcome<void> write_results(const fs::path& folder, const EnsembleSpec& spec, const EnsembleResult& result) {
     if (auto written = write_text(folder / "members.csv", csv_of(spec, result)); !written) return written;
     const Scenario& scenario = spec.scene.scenario;
-    for (std::size_t i = 0; i < result.exceedances.thresholds().size(); ++i) {
-        const std::string name = name_of(result.exceedances.thresholds()[i]);
-        if (const auto written =
-                terrains::write_geotiff(folder / (name + ".tif"), scenario.grid, scenario.georeference,
-                                        result.exceedances.probability(i));
+    const std::vector<EnsembleMap> maps = maps_of(spec, result);
+    std::vector<std::string> pictures;
+    for (const EnsembleMap& map : maps) {
+        if (const auto written = terrains::write_geotiff(folder / (map.name + ".tif"), scenario.grid,
+                                                         scenario.georeference, map.values);
             !written)
             return machine_fails(written.error());
-        if (const auto written = render::write_png(map_of(spec, result, i), folder / (name + ".png"));
-            !written)
-            return machine_fails(written.error());
+        const auto picture =
+            render::encode_png(picture_of(map, spec, result), render::kFastPngCompression, {});
+        if (!picture) return machine_fails(picture.error());
+        pictures.emplace_back(picture->begin(), picture->end());
+        if (auto written = write_text(folder / (map.name + ".png"), pictures.back()); !written)
+            return written;
     }
+    if (auto written = write_text(folder / "report.html", page_of(spec, result, maps, pictures)); !written)
+        return written;
     return write_text(folder / "ensemble.json", printed(to_json(spec, result)));
 }
 

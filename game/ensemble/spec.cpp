@@ -19,18 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ThresholdInfo {
-    Threshold::Of of;
-    std::string_view name, unit;
-    double most;
-};
-constexpr std::array kThresholds{ThresholdInfo{Threshold::Of::kThickness, "thickness", "m", 1000},
-                                 ThresholdInfo{Threshold::Of::kSpeed, "speed", "m/s", 1000},
-                                 ThresholdInfo{Threshold::Of::kPressure, "pressure", "kPa", 1e5}};
-
-const ThresholdInfo& info_of(Threshold::Of of) {
-    return *std::ranges::find(kThresholds, of, &ThresholdInfo::of);
-}
+constexpr std::array kMapped{
+    MappedInfo{Mapped::kThickness, "thickness", "m", 1000}, MappedInfo{Mapped::kSpeed, "speed", "m/s", 1000},
+    MappedInfo{Mapped::kPressure, "pressure", "kPa", 1e5}, MappedInfo{Mapped::kArrival, "arrival", "s", 0}};
 
 // Reads one [[variable]].
 Variable read_variable(TomlTable& table, const Scene& scene) {
@@ -74,23 +65,40 @@ Variable read_variable(TomlTable& table, const Scene& scene) {
     return variable;
 }
 
-// Reads one [[map]] into a threshold for each of its numbers.
-void read_map(TomlTable& table, const Scene& scene, std::vector<Threshold>& thresholds) {
+// Reads one [[map]]: each of its numbers is a map.
+void read_map(TomlTable& table, const Scene& scene, Maps& maps) {
     const auto name = table.text("of").value_or("");
-    const auto info = std::ranges::find(kThresholds, name, &ThresholdInfo::name);
-    if (info == kThresholds.end()) return table.blame("of", "is not one of thickness, speed, pressure");
-    if (info->of == Threshold::Of::kPressure && !densities_of(scene.scenario))
+    const auto info = std::ranges::find(kMapped, name, &MappedInfo::name);
+    if (info == kMapped.end()) return table.blame("of", "is not one of thickness, speed, pressure, arrival");
+    if (info->of == Mapped::kPressure && !densities_of(scene.scenario))
         table.blame("of", "is pressure, and the density of the material is not known");
-    const auto over = table.numbers("over", 1, EnsembleSpec::kMostThresholds);
-    if (!over) table.blame("", fmt::format("needs `over`: a list of numbers, in {}", info->unit));
-    for (const double least : over.value_or(std::vector<double>{})) {
-        const Threshold threshold{info->of, least};
-        if (!(least > 0 && least <= info->most))
-            table.blame("over", fmt::format("has {}, which is not above 0 and at most {} {}", least,
-                                            info->most, info->unit));
-        if (std::ranges::find(thresholds, threshold) != thresholds.end())
-            table.blame("over", fmt::format("has {} {} twice", least, info->unit));
-        thresholds.push_back(threshold);
+    if (info->of == Mapped::kArrival && table.has("over"))
+        table.blame("over", "does not apply to arrival, which has percentiles alone");
+    if (!table.has("over") && !table.has("percentiles"))
+        table.blame(
+            "", fmt::format("needs `over`, a list of numbers in {}, or `percentiles`, one in %", info->unit));
+    if (table.has("over")) {
+        const auto over = table.numbers("over", 1, Maps::kMostThresholds);
+        for (const double least : over.value_or(std::vector<double>{})) {
+            const Threshold threshold{info->of, least};
+            if (!(least > 0 && least <= info->most))
+                table.blame("over", fmt::format("has {}, which is not above 0 and at most {} {}", least,
+                                                info->most, info->unit));
+            if (std::ranges::find(maps.thresholds, threshold) != maps.thresholds.end())
+                table.blame("over", fmt::format("has {} {} twice", least, info->unit));
+            maps.thresholds.push_back(threshold);
+        }
+    }
+    if (table.has("percentiles")) {
+        const auto shares = table.numbers("percentiles", 1, Maps::kMostPercentiles);
+        for (const double share : shares.value_or(std::vector<double>{})) {
+            const Percentile percentile{info->of, share};
+            if (!(share > 0 && share < 100))
+                table.blame("percentiles", fmt::format("has {}, which is not above 0 and below 100", share));
+            if (std::ranges::find(maps.percentiles, percentile) != maps.percentiles.end())
+                table.blame("percentiles", fmt::format("has {} twice", share));
+            maps.percentiles.push_back(percentile);
+        }
     }
     table.finish();
 }
@@ -149,7 +157,9 @@ std::string identity_of(const EnsembleSpec& spec) {
     for (const Variable& each : spec.variables)
         text += fmt::format("; {} {} {}", each.name(), static_cast<int>(each.distribution.kind),
                             fmt::join(each.distribution.numbers, " "));
-    for (const Threshold& each : spec.thresholds) text += fmt::format("; {} {}", each.name(), each.least);
+    for (const Threshold& each : spec.maps.thresholds)
+        text += fmt::format("; {} {}", info_of(each.of).name, each.least);
+    for (const Mapped each : spec.maps.spread()) text += fmt::format("; spread of {}", info_of(each).name);
     return hex(XXH3_64bits(text.data(), text.size()));
 }
 
@@ -161,11 +171,17 @@ std::string_view Variable::name() const {
 std::string_view Variable::unit() const {
     return of == Of::kRelease ? "1" : of == Of::kDensity ? "kg/m3" : param->unit;
 }
-std::string_view Threshold::name() const {
-    return info_of(of).name;
+
+const MappedInfo& info_of(Mapped mapped) {
+    return *std::ranges::find(kMapped, mapped, &MappedInfo::of);
 }
-std::string_view Threshold::unit() const {
-    return info_of(of).unit;
+
+std::vector<Mapped> Maps::spread() const {
+    std::vector<Mapped> quantities;
+    for (const MappedInfo& info : kMapped)
+        if (std::ranges::find(percentiles, info.of, &Percentile::of) != percentiles.end())
+            quantities.push_back(info.of);
+    return quantities;
 }
 
 std::vector<double> EnsembleSpec::sample(std::int64_t member) const {
@@ -219,21 +235,25 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     if (spec.scene.scenario.flow) root.blame("scene", "is a flow demo, which has no avalanche");
     for (TomlTable& table : root.tables("variable"))
         spec.variables.push_back(read_variable(table, spec.scene));
-    for (TomlTable& table : root.tables("map")) read_map(table, spec.scene, spec.thresholds);
+    for (TomlTable& table : root.tables("map")) read_map(table, spec.scene, spec.maps);
     root.finish();
     if (spec.variables.empty()) root.blame("", "needs at least one [[variable]]");
     if (spec.variables.size() > static_cast<std::size_t>(kMostSobolDimensions))
         root.blame("", fmt::format("has {} variables; at most {} are allowed", spec.variables.size(),
                                    kMostSobolDimensions));
-    if (spec.thresholds.size() > EnsembleSpec::kMostThresholds)
-        root.blame("", fmt::format("maps {} thresholds; at most {} are allowed", spec.thresholds.size(),
-                                   EnsembleSpec::kMostThresholds));
+    if (spec.maps.thresholds.size() > Maps::kMostThresholds)
+        root.blame("", fmt::format("maps {} thresholds; at most {} are allowed", spec.maps.thresholds.size(),
+                                   Maps::kMostThresholds));
+    if (spec.maps.percentiles.size() > Maps::kMostPercentiles)
+        root.blame("", fmt::format("maps {} percentiles; at most {} are allowed",
+                                   spec.maps.percentiles.size(), Maps::kMostPercentiles));
     for (std::size_t i = 0; i < spec.variables.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (spec.variables[i].name() == spec.variables[j].name())
                 root.blame("", fmt::format("has two variables of {}", spec.variables[i].name()));
     if (fault) return unusable(*fault);
-    if (spec.thresholds.empty()) spec.thresholds = {{Threshold::Of::kThickness, 0.1}};
+    if (spec.maps.thresholds.empty() && spec.maps.percentiles.empty())
+        spec.maps.thresholds = {{Mapped::kThickness, 0.1}};
     spec.identity = identity_of(spec);
     return spec;
 }

@@ -28,25 +28,46 @@ struct Variable {
     std::string_view unit() const;  // "m/s2", "1"
 };
 
+// What a member does to a place, and is mapped.
+enum class Mapped : std::uint8_t {
+    kThickness,  // m normal to the slope, the greatest
+    kSpeed,      // m/s along the slope, the greatest
+    kPressure,   // kPa, the greatest
+    kArrival,    // s after which the flow was first visible
+};
+struct MappedInfo {
+    Mapped of;
+    std::string_view name, unit;  // "thickness", "m"
+    double most;                  // of a threshold
+};
+const MappedInfo& info_of(Mapped mapped);
+
 // A probability to map: that of a peak at a place being at least so much.
 struct Threshold {
-    enum class Of : std::uint8_t {
-        kThickness,
-        kSpeed,
-        kPressure
-    };  // m normal to the slope, m/s along it, kPa
-    Of of = Of::kThickness;
+    Mapped of = Mapped::kThickness;  // not kArrival
     double least = 0;
-
-    std::string_view name() const;  // "thickness"
-    std::string_view unit() const;  // "m"
     bool operator==(const Threshold&) const = default;
+};
+
+// A value to map: what this share of all members does not exceed.
+struct Percentile {
+    Mapped of = Mapped::kThickness;
+    double share = 50;  // %, above 0 and below 100
+    bool operator==(const Percentile&) const = default;
+};
+
+struct Maps {
+    static constexpr std::size_t kMostThresholds = 16, kMostPercentiles = 16;
+    std::vector<Threshold> thresholds;
+    std::vector<Percentile> percentiles;
+
+    // The quantities that have percentiles, each once.
+    std::vector<Mapped> spread() const;
 };
 
 // Many runs of one world with other numbers, as docs/ensembles.md describes them.
 struct EnsembleSpec {
     static constexpr std::int64_t kMostMembers = 100'000;
-    static constexpr std::size_t kMostThresholds = 16;
 
     std::filesystem::path file;
     std::string title;
@@ -54,9 +75,10 @@ struct EnsembleSpec {
     std::int64_t seed = 1;
     double seconds = 3600;  // of the world, after which a member ends at the latest
     std::vector<Variable> variables;
-    std::vector<Threshold> thresholds;
+    Maps maps;
     Scene scene;  // of a member whose numbers are those of the files
-    // Identifies all of this but the number of members, and the ground: 16 hexadecimal digits.
+    // Identifies all of this and the ground, but not the number of members, nor which percentiles of a quantity are
+    // mapped: 16 hexadecimal digits.
     std::string identity;
 
     // The values of a member's variables. They follow from the seed and its number alone.

@@ -7,7 +7,7 @@
 namespace game {
 namespace {
 
-constexpr const char* kStyle =
+constexpr const char* kPageStyle =
     R"(:root { color-scheme: light dark; --paper: #fff; --ink: #222; --soft: #555; --line: #ddd; }
 @media (prefers-color-scheme: dark) { :root { --paper: #16181b; --ink: #e4e4e4; --soft: #a8adb3; --line: #3a3e44; } a { color: #8ab8ff; } }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 1320px; margin: 2em auto; padding: 0 1em; }
@@ -40,7 +40,7 @@ std::string begin_page(const std::string& title, const std::string& style, std::
 <body>
 <h1>{0}</h1>
 )",
-                       html_text(title), kStyle, style, reload);
+                       html_text(title), kPageStyle, style, reload);
 }
 
 std::string end_page(const std::string& made_by) {

@@ -55,6 +55,16 @@ Axis logarithmic(const std::vector<double>& values, Axis (*axis)(double, double,
     return axis(low, high > low ? high : 10 * low, true);
 }
 
+// The linear axis range that covers all values, from a round number to a round number.
+Axis around(const std::vector<double>& values, Axis (*axis)(double, double, bool)) {
+    constexpr int kSteps = 8;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    if (!(*least < *most)) return axis(*least - 1, *most + 1, false);
+    const std::vector<double> numbers = round_numbers(*least, *most, kSteps);
+    const double step = numbers.size() > 1 ? numbers[1] - numbers[0] : *most - *least;
+    return axis(std::floor(*least / step) * step, std::ceil(*most / step) * step, false);
+}
+
 std::string number_text(double value) {
     if (value >= 1e6) return fmt::format("{:g}M", value / 1e6);
     if (value >= 1e4) return fmt::format("{:g}k", value / 1e3);
@@ -140,7 +150,33 @@ std::string end_labels(std::vector<EndLabel> labels, double x) {
     return svg;
 }
 
+constexpr const char* kChartStyle =
+    R"(:root { --p0: #0072b2; --p1: #e8d820; --p2: #e69f00; --p3: #009e73; --p4: #cc79a7; --p5: #9a9a9a; --p6: #56b4e9; --p7: #d55e00; --p8: #505050; --p9: #222; }
+@media (prefers-color-scheme: dark) { :root { --p0: #3d9be0; --p8: #c8c8c8; --p9: #e4e4e4; } }
+.row > figure { flex: 1 1 340px; max-width: 560px; }
+svg { display: block; width: 100%; height: auto; }
+svg text { font: 11px system-ui, sans-serif; fill: var(--ink); paint-order: stroke; stroke: var(--paper); stroke-width: 3px; }
+svg .grid { stroke: var(--line); } svg .axis { stroke: var(--soft); } svg .mark { stroke: var(--ink); stroke-dasharray: 3 3; }
+svg polygon { stroke: var(--paper); stroke-width: .4; } svg polyline { fill: none; stroke-width: 1.6; }
+.bad { color: #c33; font-weight: bold; }
+svg .dot { fill-opacity: .55; }
+)";
+
 }  // namespace
+
+std::string plot_style(std::size_t colours) {
+    std::string style = kChartStyle;
+    for (std::size_t i = 0; i < colours; ++i)
+        style += fmt::format(
+            "svg .f{0} {{ fill: var(--p{0}); }} svg .l{0} {{ stroke: var(--p{0}); }} svg text.c{0} {{ fill: "
+            "var(--p{0}); }}\n",
+            i);
+    return style;
+}
+
+std::string figure_html(const std::string& svg, const std::string& caption) {
+    return "<figure>" + svg + "<figcaption>" + html_text(caption) + "</figcaption></figure>\n";
+}
 
 std::vector<double> round_numbers(double least, double most, int count) {
     if (!(most > least)) return {least};
@@ -184,20 +220,21 @@ std::string svg_of(const StackedPlot& plot) {
 std::string svg_of(const DistributionPlot& plot) {
     std::vector<double> values;
     for (const double value : plot.values)
-        if (value > 0) values.push_back(value);
+        if (value > 0 || !plot.logarithmic) values.push_back(value);
     if (values.empty()) return "";
-    constexpr std::size_t kBins = 48;
-    const Axis x = logarithmic(values, across);
-    std::vector<double> share(kBins, 0.0);
+    constexpr std::size_t kMostBins = 48, kValuesPerBin = 10, kLeastBins = 12;
+    const std::size_t bins = std::clamp(values.size() / kValuesPerBin, kLeastBins, kMostBins);
+    const Axis x = plot.logarithmic ? logarithmic(values, across) : around(values, across);
+    std::vector<double> share(bins, 0.0);
     for (const double value : values) {
-        const double place = (x.at(value) - x.from) / (x.to - x.from) * static_cast<double>(kBins);
-        share[std::min(static_cast<std::size_t>(std::max(place, 0.0)), kBins - 1)] +=
+        const double place = (x.at(value) - x.from) / (x.to - x.from) * static_cast<double>(bins);
+        share[std::min(static_cast<std::size_t>(std::max(place, 0.0)), bins - 1)] +=
             100 / static_cast<double>(values.size());
     }
     const Axis y = upwards(0, 1.15 * *std::max_element(share.begin(), share.end()));
-    std::string svg = axes(x, y, plot.x_label, "% of ticks");
-    const double width = (x.to - x.from) / static_cast<double>(kBins);
-    for (std::size_t i = 0; i < kBins; ++i)
+    std::string svg = axes(x, y, plot.x_label, plot.y_label);
+    const double width = (x.to - x.from) / static_cast<double>(bins);
+    for (std::size_t i = 0; i < bins; ++i)
         if (share[i] > 0)
             svg += fmt::format(
                 "<rect class=\"f0\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
@@ -205,13 +242,23 @@ std::string svg_of(const DistributionPlot& plot) {
                 y.from - y.at(share[i]));
     double label_y = y.to + kLetter;
     for (const auto& mark : plot.marks) {
-        if (!(mark.value > 0)) continue;
+        if (plot.logarithmic && !(mark.value > 0)) continue;
         svg += line(x.at(mark.value), y.from, x.at(mark.value), label_y - kLetter + 2, "mark");
         const bool left = x.at(mark.value) > 0.75 * kWidth;
         svg += text(x.at(mark.value) + (left ? -4 : 4), label_y, left ? "end" : "start", mark.name);
         label_y += kLetter + 3;
     }
     return framed(svg, kHeight, "distribution of " + plot.x_label);
+}
+
+std::string svg_of(const ScatterPlot& plot) {
+    if (plot.x.empty()) return "";
+    const Axis x = around(plot.x, across), y = around(plot.y, upwards);
+    std::string svg = axes(x, y, plot.x_label, plot.y_label);
+    for (std::size_t i = 0; i < plot.x.size(); ++i)
+        svg += fmt::format("<circle class=\"f{} dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\"/>\n", plot.colour,
+                           x.at(plot.x[i]), y.at(plot.y[i]));
+    return framed(svg, kHeight, plot.y_label + " over " + plot.x_label);
 }
 
 std::string svg_of(const BarPlot& plot) {

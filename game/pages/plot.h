@@ -23,10 +23,16 @@ struct StackedPlot {
 };
 std::string svg_of(const StackedPlot& plot);
 
-// A distribution of values over a logarithmic axis, with marks at some values.
+// CSS of a page with plots, with this many colours for data: Okabe and Ito's, safe for colour-blind viewers, and greys.
+std::string plot_style(std::size_t colours);
+// A plot with a sentence below it.
+std::string figure_html(const std::string& svg, const std::string& caption);
+
+// A distribution of values, with marks at some values.
 struct DistributionPlot {
-    std::string x_label;
-    std::vector<double> values;  // > 0; others are skipped
+    std::string x_label, y_label;
+    std::vector<double> values;
+    bool logarithmic = false;  // its axis; values that are not above 0 are skipped then
     struct Mark {
         std::string name;
         double value;
@@ -34,6 +40,14 @@ struct DistributionPlot {
     std::vector<Mark> marks;
 };
 std::string svg_of(const DistributionPlot& plot);
+
+// Points over linear axes.
+struct ScatterPlot {
+    std::string x_label, y_label;
+    std::vector<double> x, y;
+    int colour = 0;
+};
+std::string svg_of(const ScatterPlot& plot);
 
 // Stacked bars, one below the other.
 struct BarPlot {

@@ -10,7 +10,7 @@
 namespace game {
 namespace {
 
-std::string read_text(TomlTable& table, std::string_view key) {
+std::string text_of_key(TomlTable& table, std::string_view key) {
     std::string text = table.text(key).value_or("");
     if (text.size() > Goal::kMostText)
         table.blame(key, fmt::format("has more than {} bytes", Goal::kMostText));
@@ -118,8 +118,8 @@ auto read_all(TomlTable& table, std::string_view key, std::size_t most, Read&& r
 
 Goal read_goal(TomlTable& table) {
     Goal goal;
-    goal.say = read_text(table, "say");
-    goal.learn = read_text(table, "learn");
+    goal.say = text_of_key(table, "say");
+    goal.learn = text_of_key(table, "learn");
     goal.zone = read_area(table, "zone");
     goal.tools = read_all(table, "tool", Goal::kMostTools, read_tool);
     goal.needs = read_all(table, "need", Goal::kMostNeeds, read_need);

@@ -10,14 +10,17 @@
 
 namespace game {
 
-// Per-vertex maxima since tick 0, grid.size() values each. A view: never affects the world. A score is made of them, so
+// Per-vertex maxima since tick 0, and when the flow came, grid.size() values each. A view: never affects the world. A score is made of them, so
 // they are the same on every processor and with every mathematics library.
 struct Peaks {
-    std::vector<float> depth;                 // m, of the rolling layer
-    std::vector<float> speed_plan;            // m/s, where that layer was at least kVisible deep
-    std::vector<float> speed_slope;           // m/s, the same along the slope of the ground
-    std::vector<float> pressure;              // kPa, impact pressure; empty if a density is unknown
+    std::vector<float> depth;        // m, of the rolling layer
+    std::vector<float> speed_plan;   // m/s, where that layer was at least kVisible deep
+    std::vector<float> speed_slope;  // m/s, the same along the slope of the ground
+    std::vector<float> pressure;     // kPa, impact pressure; empty if a density is unknown
+    std::vector<std::uint32_t>
+        arrival;  // ticks done when that layer was first kVisible deep; kNever: not yet
     static constexpr float kVisible = 0.01f;  // m
+    static constexpr std::uint32_t kNever = 0xffff'ffff;
 };
 
 // Finds the maxima of a world, and how much moves in it. Costs what the tiles cost that were written since the last look and where anything rolls.
@@ -43,7 +46,7 @@ class PeakWatch {
         std::size_t cells = 0;
         std::int64_t energy = 0;  // kEnergyUnit
     };
-    Active see_tile(const sim::View& world, int x0, int x1, int y0, int y1);
+    Active see_tile(const sim::View& world, std::uint32_t ticks, int x0, int x1, int y0, int y1);
 
     Peaks peaks_;
     std::optional<Densities> densities_;

@@ -1,6 +1,9 @@
 // What becomes of an ensemble's members: the same results in any order, on any number of threads, and after any end.
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +29,8 @@ constexpr const char* kSpec =
     "[[variable]]\nof = \"friction\"\nuniform = [0.1, 0.4]\n"
     "[[variable]]\nof = \"drag\"\nlist = [200, 1000]\n"
     "[[map]]\nof = \"thickness\"\nover = [0.1, 1]\n"
-    "[[map]]\nof = \"speed\"\nover = [5]\n";
+    "[[map]]\nof = \"speed\"\nover = [5]\npercentiles = [50, 90]\n"
+    "[[map]]\nof = \"arrival\"\npercentiles = [50]\n";
 
 class Ensemble : public testing::Test {
   protected:
@@ -64,7 +68,7 @@ class Ensemble : public testing::Test {
 TEST_F(Ensemble, has_the_same_results_on_any_number_of_threads_and_after_any_end) {
     const EnsembleSpec eight = spec();
     const auto alone = results(eight, "alone", 1);
-    ASSERT_EQ(alone.size(), 9u);  // members.csv, ensemble.json, exceedances.bin, and three maps twice
+    ASSERT_EQ(alone.size(), 16u);  // members.csv, ensemble.json, report.html, counts.bin, and six maps twice
     EXPECT_EQ(results(eight, "together", 3), alone);
 
     // A process that was killed: some members are in the journal, one of them in part, and none in the counts.
@@ -90,14 +94,15 @@ TEST_F(Ensemble, counts_what_its_members_passed) {
     ASSERT_TRUE(result);
     ASSERT_EQ(result->members.size(), 4u);
     std::vector<int> counts(few.scene.scenario.grid.size());
-    const Exceedances none(few.scene.scenario, few.thresholds);
+    const VertexCounts none(few.scene.scenario, few.maps);
     for (int member = 1; member <= 4; ++member) {
         const auto played = play_member(few, member, none, [] { return false; });
         ASSERT_TRUE(played);
         EXPECT_EQ(played->member, result->members.at(member));
-        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += (played->passed[i] >> 1) & 1;
+        for (std::size_t i = 0; i < played->marks.vertices.size(); ++i)
+            counts[played->marks.vertices[i]] += (played->marks.passed[i] >> 1) & 1;
     }
-    const std::vector<float> share = result->exceedances.probability(1);
+    const std::vector<float> share = result->counts.probability(1);
     int most = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         EXPECT_EQ(share[i], static_cast<float>(counts[i]) / 4) << i;
@@ -107,11 +112,65 @@ TEST_F(Ensemble, counts_what_its_members_passed) {
     EXPECT_NE(result->members.at(1).hash, result->members.at(2).hash);
 }
 
+// Against the sorted values themselves.
+TEST_F(Ensemble, has_percentiles_within_three_in_a_hundred) {
+    const EnsembleSpec few = spec();
+    const std::size_t size = few.scene.scenario.grid.size();
+    Maps maps;
+    for (const double share : {1.0, 10.0, 50.0, 90.0, 99.0}) {
+        maps.percentiles.push_back({Mapped::kSpeed, share});
+        maps.percentiles.push_back({Mapped::kArrival, share});
+    }
+    constexpr std::int64_t kMembers = 200;
+    VertexCounts counts(few.scene.scenario, maps), other(few.scene.scenario, maps);
+    std::vector<std::vector<float>> speeds(size), arrivals(size);
+    for (std::int64_t member = 1; member <= kMembers; ++member) {
+        Peaks peaks{std::vector<float>(size, 0),
+                    {},
+                    std::vector<float>(size, 0),
+                    {},
+                    std::vector<std::uint32_t>(size, Peaks::kNever)};
+        for (std::size_t i = 0; i < size; ++i) {
+            // Every other place is reached by 60 % of all members.
+            const auto chance =
+                static_cast<std::uint32_t>(member) * 7919u + static_cast<std::uint32_t>(i) * 104729u;
+            float speed = 0, arrival = std::numeric_limits<float>::infinity();
+            if (i % 2 == 0 && chance % 100 < 60) {
+                peaks.depth[i] = 1;
+                speed = peaks.speed_slope[i] = 0.5f + static_cast<float>(chance % 4001) / 100;
+                peaks.arrival[i] = chance % 3001;
+                arrival = static_cast<float>(peaks.arrival[i]) * few.scene.scenario.params.tick_s;
+            }
+            speeds[i].push_back(speed), arrivals[i].push_back(arrival);
+        }
+        const Marks marks = counts.marks(peaks);
+        EXPECT_TRUE(counts.can_count(marks));
+        counts.add(member, marks);
+    }
+    ASSERT_TRUE(other.take(counts.bytes(few.identity), few.identity));
+    for (const Percentile& percentile : maps.percentiles) {
+        const std::vector<float> found = counts.percentile(percentile);
+        const std::vector<float> again = other.percentile(percentile);
+        auto& values = percentile.of == Mapped::kSpeed ? speeds : arrivals;
+        for (std::size_t i = 0; i < size; ++i) {
+            std::ranges::sort(values[i]);
+            const auto rank = static_cast<std::size_t>(std::lround(percentile.share / 100 * kMembers));
+            const float wanted = values[i][rank - 1];
+            if (std::isinf(wanted)) {
+                EXPECT_TRUE(std::isnan(found[i])) << percentile.share;
+                continue;
+            }
+            ASSERT_NEAR(found[i], wanted, 0.032f * wanted + 1e-3f) << percentile.share << " at " << i;
+            EXPECT_EQ(again[i], found[i]);
+        }
+    }
+}
+
 TEST_F(Ensemble, plays_a_member_alone_to_the_same_state_as_a_recording) {
     const EnsembleSpec few = spec(2);
     const auto result = run_ensemble(few, at("out"), 1);
     ASSERT_TRUE(result);
-    const Exceedances none(few.scene.scenario, few.thresholds);
+    const VertexCounts none(few.scene.scenario, few.maps);
     const auto played = play_member(
         few, 2, none, [] { return false; }, at("second.couloir"));
     ASSERT_TRUE(played);
@@ -145,23 +204,22 @@ TEST_F(Ensemble, refuses_a_folder_of_another_one_and_damage) {
     EXPECT_NE(damaged(lines + lines.substr(second)).find("a second time"), std::string::npos);
     EXPECT_NE(damaged("words without a line break").find(":1: is not the journal"), std::string::npos);
 
-    const std::string counts = read_text(at("out") / kExceedancesName).value();
+    const std::string counts = read_text(at("out") / kCountsName).value();
     for (std::size_t i = 0; i < counts.size(); i += 97) {
         std::string flipped = counts;
         flipped[i] = static_cast<char>(flipped[i] ^ 4);
-        EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(flipped, few.identity)) << i;
-        EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(counts.substr(0, i), few.identity))
-            << i;
+        EXPECT_FALSE(VertexCounts(few.scene.scenario, few.maps).take(flipped, few.identity)) << i;
+        EXPECT_FALSE(VertexCounts(few.scene.scenario, few.maps).take(counts.substr(0, i), few.identity)) << i;
     }
-    EXPECT_TRUE(Exceedances(few.scene.scenario, few.thresholds).take(counts, few.identity));
-    EXPECT_FALSE(Exceedances(few.scene.scenario, few.thresholds).take(counts, other.identity));
-    EXPECT_FALSE(Exceedances(few.scene.scenario, {}).take(counts, few.identity));
+    EXPECT_TRUE(VertexCounts(few.scene.scenario, few.maps).take(counts, few.identity));
+    EXPECT_FALSE(VertexCounts(few.scene.scenario, few.maps).take(counts, other.identity));
+    EXPECT_FALSE(VertexCounts(few.scene.scenario, {}).take(counts, few.identity));
 }
 
 TEST_F(Ensemble, ends_with_a_sentence_where_a_member_comes_out_otherwise_than_before) {
     const EnsembleSpec few = spec(2);
     ASSERT_TRUE(run_ensemble(few, at("out"), 1));
-    fs::remove(at("out") / kExceedancesName);
+    fs::remove(at("out") / kCountsName);
     std::string lines = journal("out");
     const std::size_t hash = lines.rfind("\"hash\":\"") + 8;
     lines.replace(hash, 16, "0123456789abcdef");
@@ -206,7 +264,7 @@ TEST_F(Ensemble, tells_members_that_cannot_run_and_counts_the_others) {
     int faults = 0;
     for (const auto& [number, member] : result->members) faults += !member.fault.empty();
     EXPECT_EQ(faults, 3);
-    EXPECT_EQ(result->exceedances.members(), 3);
+    EXPECT_EQ(result->counts.members(), 3);
     EXPECT_EQ(to_json(*steep, *result).at("could_not_run"), 3);
     EXPECT_EQ(results(*steep, "out", 1), results(*steep, "again", 1)) << "they are not tried again";
 }

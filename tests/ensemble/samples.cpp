@@ -193,8 +193,16 @@ TEST_F(SpecFile, is_refused_with_line_and_fact) {
     const auto map = [&](const std::string& lines) {
         return refused(five + kFriction + "[[map]]\n" + lines);
     };
-    EXPECT_EQ(map("of = \"snow\"\nover = [1]\n"), "8: map.of is not one of thickness, speed, pressure");
-    EXPECT_EQ(map("of = \"speed\"\n"), "7: map needs `over`: a list of numbers, in m/s");
+    EXPECT_EQ(map("of = \"snow\"\nover = [1]\n"),
+              "8: map.of is not one of thickness, speed, pressure, arrival");
+    EXPECT_EQ(map("of = \"speed\"\n"),
+              "7: map needs `over`, a list of numbers in m/s, or `percentiles`, one in %");
+    EXPECT_EQ(map("of = \"speed\"\nover = 3\n"), "9: map.over is not a list of 1 to 16 numbers");
+    EXPECT_EQ(map("of = \"arrival\"\nover = [3]\n"),
+              "9: map.over does not apply to arrival, which has percentiles alone");
+    EXPECT_EQ(map("of = \"speed\"\npercentiles = [100]\n"),
+              "9: map.percentiles has 100, which is not above 0 and below 100");
+    EXPECT_EQ(map("of = \"speed\"\npercentiles = [5, 5]\n"), "9: map.percentiles has 5 twice");
     EXPECT_EQ(map("of = \"speed\"\nover = [0]\n"),
               "9: map.over has 0, which is not above 0 and at most 1000 m/s");
     EXPECT_EQ(map("of = \"speed\"\nover = [1, 1]\n"), "9: map.over has 1 m/s twice");

@@ -105,6 +105,7 @@ TEST(Peaks, found_by_tiles_are_those_of_every_vertex) {
         Session::begin(scene.scenario, {.tile_width = 32, .tile_height = 8}, std::nullopt).value();
     const sim::Grid& grid = scene.scenario.grid;
     std::vector<float> deepest(grid.size()), fastest(grid.size());
+    std::vector<std::uint32_t> arrival(grid.size(), Peaks::kNever);
     const auto see = [&] {
         std::size_t active = 0, i = 0;
         for (int y = 0; y < grid.ny; ++y)
@@ -113,23 +114,30 @@ TEST(Peaks, found_by_tiles_are_those_of_every_vertex) {
                 const float u = now.velocity_x(x, y), v = now.velocity_y(x, y), r = now.rolling(x, y);
                 active += r > 0;
                 deepest[i] = std::max(deepest[i], r);
+                if (r >= Peaks::kVisible)
+                    arrival[i] = std::min(arrival[i], static_cast<std::uint32_t>(now.tick));
                 if (r >= Peaks::kVisible) fastest[i] = std::max(fastest[i], std::sqrt(u * u + v * v));
             }
         ASSERT_EQ(session.active_cells(), active) << "tick " << session.state().tick;
         ASSERT_EQ(session.peaks().depth, deepest) << "tick " << session.state().tick;
         ASSERT_EQ(session.peaks().speed_plan, fastest) << "tick " << session.state().tick;
+        ASSERT_EQ(session.peaks().arrival, arrival) << "tick " << session.state().tick;
     };
     sim::Command pour;
     pour.kind = sim::CommandKind::kPour;
     pour.x = 12, pour.y = 150, pour.radius = 6, pour.rate = 2, pour.duration = 0.5;
     std::optional<Session::Checkpoint> then;
     std::vector<float> deepest_then, fastest_then;
+    std::vector<std::uint32_t> arrival_then;
     see();
     for (int tick = 0; tick < 240; ++tick) {
-        if (tick == 60) then = session.moment(), deepest_then = deepest, fastest_then = fastest;
+        if (tick == 60) {
+            then = session.moment();
+            deepest_then = deepest, fastest_then = fastest, arrival_then = arrival;
+        }
         if (tick == 180) {
             ASSERT_TRUE(session.rewind(*then));
-            deepest = deepest_then, fastest = fastest_then;
+            deepest = deepest_then, fastest = fastest_then, arrival = arrival_then;
             see();
         }
         std::vector<sim::Command> due;

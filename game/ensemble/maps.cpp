@@ -1,0 +1,202 @@
+#include "game/ensemble/maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "game/compare/map_page.h"
+#include "game/ensemble/results.h"
+
+namespace game {
+namespace {
+
+// Classes of a map's values, from small to large: values from `least` up to that of the next.
+struct Class {
+    float least;
+    glm::vec3 colour;
+    std::string words;
+};
+
+// viridis (van der Walt and Smith 2015), light at 0 and dark at 1.
+glm::vec3 colour_at(float share) {
+    constexpr std::array<glm::vec3, 6> kRamp{
+        {{253, 231, 37}, {122, 209, 81}, {34, 168, 132}, {42, 120, 142}, {65, 68, 135}, {68, 1, 84}}};
+    const float place = share * static_cast<float>(kRamp.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), kRamp.size() - 2);
+    return glm::mix(kRamp.at(below), kRamp.at(below + 1), place - static_cast<float>(below));
+}
+
+// Classes from each bound to the next one.
+std::vector<Class> classes_from(const std::vector<float>& bounds, bool dark_is_large, std::string_view unit) {
+    std::vector<Class> classes;
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        const float share =
+            bounds.size() > 1 ? static_cast<float>(i) / static_cast<float>(bounds.size() - 1) : 1;
+        classes.push_back({bounds[i], colour_at(dark_is_large ? share : 1 - share),
+                           i + 1 < bounds.size()
+                               ? fmt::format("{:g} to {:g} {}", bounds[i], bounds[i + 1], unit)
+                               : fmt::format("{:g} {} and more", bounds[i], unit)});
+    }
+    return classes;
+}
+
+std::vector<Class> classes_of_probability() {
+    std::vector<Class> classes = classes_from({0, 5, 25, 50, 75, 95}, true, "%");
+    for (Class& each : classes) each.least /= 100;
+    classes.front().least = 1e-6f, classes.front().words = "below 5 %";
+    return classes;
+}
+
+// Greatest of the values that are there.
+float most_of(const std::vector<float>& values) {
+    float most = 0;
+    for (const float value : values)
+        if (value > most) most = value;
+    return most;
+}
+
+// A 1, 2 or 5 with a power of ten, the `step`-th from 1.
+float round_number(int step) {
+    constexpr std::array kDigits{1.f, 2.f, 5.f};
+    const int power = static_cast<int>(std::floor(step / 3.0));
+    return kDigits.at(static_cast<std::size_t>(step - 3 * power)) * static_cast<float>(std::pow(10, power));
+}
+
+// Six bounds 1, 2, 5, 10 … up to the greatest value.
+std::vector<Class> classes_of_peak(const EnsembleMap& map) {
+    constexpr int kClasses = 6, kLeast = -6;  // 0.01
+    const float most = most_of(map.values);
+    int last = kLeast;
+    while (round_number(last + 1) <= most) ++last;
+    std::vector<float> bounds;
+    for (int step = std::max(kLeast, last - kClasses + 1); step <= last; ++step)
+        bounds.push_back(round_number(step));
+    return classes_from(bounds, true, map.unit);
+}
+
+// At most ten equal classes of round seconds, dark is early.
+std::vector<Class> classes_of_arrival(const EnsembleMap& map) {
+    constexpr int kMostClasses = 10;
+    const float most = most_of(map.values);
+    int step = 0;
+    while (round_number(step) * kMostClasses < most) ++step;
+    std::vector<float> bounds;
+    for (float bound = 0; bound <= most; bound += round_number(step)) bounds.push_back(bound);
+    return classes_from(bounds, false, map.unit);
+}
+
+std::vector<Class> classes_of(const EnsembleMap& map) {
+    switch (map.kind) {
+        case EnsembleMap::Kind::kPeak:
+            return classes_of_peak(map);
+        case EnsembleMap::Kind::kArrival:
+            return classes_of_arrival(map);
+        case EnsembleMap::Kind::kProbability:
+            break;
+    }
+    return classes_of_probability();
+}
+
+std::string legend_of(const Variable& variable) {
+    constexpr std::size_t kMostNumbers = 6;
+    const std::vector<double>& numbers = variable.distribution.numbers;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(numbers.size(), kMostNumbers); ++i)
+        text += fmt::format("{}{}", i > 0 ? ", " : "", numbers[i]);
+    if (numbers.size() > kMostNumbers) text += ", …";
+    return fmt::format("{}: {} ({})", variable.name(), info_of(variable.distribution.kind).name, text);
+}
+
+// The field with values where it has none, so that it can be interpolated up to its border: the mean of the neighbours', or 0.
+std::vector<float> filled(const sim::Grid& grid, const std::vector<float>& field) {
+    std::vector<float> full = field;
+    std::size_t i = 0;
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x, ++i) {
+            if (!std::isnan(field[i])) continue;
+            float sum = 0, count = 0;
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, grid.ny - 1); ++v)
+                for (int u = std::max(x - 1, 0); u <= std::min(x + 1, grid.nx - 1); ++u)
+                    if (const float near =
+                            field[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid.nx) +
+                                  static_cast<std::size_t>(u)];
+                        !std::isnan(near))
+                        sum += near, ++count;
+            full[i] = count > 0 ? sum / count : 0;
+        }
+    return full;
+}
+
+}  // namespace
+
+std::vector<EnsembleMap> maps_of(const EnsembleSpec& spec, const EnsembleResult& result) {
+    std::vector<EnsembleMap> maps;
+    for (std::size_t i = 0; i < spec.maps.thresholds.size(); ++i) {
+        const Threshold& each = spec.maps.thresholds[i];
+        const MappedInfo& info = info_of(each.of);
+        maps.push_back({fmt::format("probability_{}_over_{}", info.name, each.least),
+                        fmt::format("Probability of {} of {} {} and more", info.name, each.least, info.unit),
+                        result.counts.probability(i), EnsembleMap::Kind::kProbability, "1"});
+    }
+    for (const Percentile& each : spec.maps.percentiles) {
+        const MappedInfo& info = info_of(each.of);
+        const std::vector<float> values = result.counts.percentile(each);
+        const std::string name = fmt::format("percentile_{}_of_{}", each.share, info.name);
+        if (each.of == Mapped::kArrival)
+            maps.push_back({name,
+                            fmt::format("Time by which the flow has come in {} % of all members", each.share),
+                            values, EnsembleMap::Kind::kArrival, info.unit});
+        else
+            maps.push_back(
+                {name, fmt::format("Greatest {} not exceeded in {} % of all members", info.name, each.share),
+                 values, EnsembleMap::Kind::kPeak, info.unit});
+    }
+    return maps;
+}
+
+render::Picture picture_of(const EnsembleMap& map, const EnsembleSpec& spec, const EnsembleResult& result) {
+    const Scenario& scenario = spec.scene.scenario;
+    const std::vector<Class> classes = classes_of(map);
+    const float least = classes.front().least;
+    std::vector<float> shown(map.values.size());  // 1 where there is a value of a class
+    for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = map.values[i] >= least ? 1 : 0;
+    const std::vector<float> values = filled(scenario.grid, map.values);
+    const bool is_probability = map.kind == EnsembleMap::Kind::kProbability;
+    MapPage page(scenario, frame_around(scenario.grid, [&](std::size_t i) { return shown[i] > 0; }));
+    page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
+        Relief::Tint tint;
+        if (map.kind == EnsembleMap::Kind::kArrival && between(scenario.grid, shown, cells) < 0.5f)
+            return tint;
+        const float value = between(scenario.grid, values, cells);
+        for (const Class& each : classes)
+            if (value >= each.least) tint = {each.colour, 0.82f};
+        return tint;
+    });
+    if (is_probability) page.relief().outline(page.sheet(), values, 0.5f, 1.4f, 0, {20, 20, 24});
+    page.title(map.title);
+    page.say(fmt::format("{}: {} members", spec.title, result.counts.members()));
+    page.skip(12);
+    for (std::size_t i = classes.size(); i-- > 0;) page.swatch(classes[i].colour, classes[i].words);
+    if (is_probability) {
+        page.skip(6);
+        page.stroke(1.6f, 0, {20, 20, 24}, "one half");
+    }
+    page.skip(12);
+    const Spread run_out = spread_of(values_of(result, &Member::run_out));
+    page.say(fmt::format("run-out {:.0f} m (four of five: {:.0f} to {:.0f})", run_out.middle, run_out.tenth,
+                         run_out.nine_tenths));
+    page.skip(8);
+    for (const Variable& variable : spec.variables) page.whisper(legend_of(variable));
+    page.skip(8);
+    page.whisper(scenario.terrain + (scenario.licence.empty() ? "" : ". " + scenario.licence));
+    page.whisper("Not a hazard assessment.");
+    if (const std::string corner = scenario.georeference.describe({0, 0}); !corner.empty())
+        page.whisper("South-west corner of the grid: " + corner);
+    page.coordinates();
+    page.scale_bar();
+    return page.sheet().picture;
+}
+
+}  // namespace game
