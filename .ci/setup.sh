@@ -35,6 +35,8 @@ program|fonts-roboto-unhinted|the letters of the panels|
 program|fonts-dejavu-core|the same, where there is no Roboto|
 tests|libgtest-dev|GoogleTest|header gtest/gtest.h
 tests|libbenchmark-dev|Google Benchmark|header benchmark/benchmark.h
+tests|libopenmpi-dev|MPI headers, for ensembles on many machines|program mpicxx
+tests|openmpi-bin|starts a program many times|program mpirun
 tests|xvfb|a display without a screen|program Xvfb
 tests|xdotool|a mouse and a keyboard without hands|program xdotool
 tests|blackbox|a window manager, to minimise and to close|program blackbox

@@ -482,7 +482,8 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
     add_references(app, options.overrides);
     add_memory(app, options.overrides.memory);
     add_number(app, "--threads", "N", options.threads, kThreads,
-               "play N members at a time (results are bit-identical)", "one per processor");
+               "play N members at a time (results are bit-identical)",
+               "one per processor; under mpirun, one per process");
 }
 
 void add_compare(CLI::App& app, CompareOptions& options) {

@@ -81,7 +81,7 @@ Failure failure_of(const std::exception& thrown) {
 }
 
 void note_interrupts() {
-    std::signal(SIGINT, note_interrupt);
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, note_interrupt);
 }
 
 bool interrupted() {

@@ -17,7 +17,7 @@ Outcome<void> prepare_process();
 // 3.
 Failure failure_of(const std::exception& thrown);
 
-// From now on Ctrl+C (SIGINT) only answers interrupted(); a second one ends the process.
+// From now on Ctrl+C (SIGINT), or SIGTERM, only answers interrupted(); a second one ends the process.
 void note_interrupts();
 bool interrupted();
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include "game/base/print.h"
 #include "game/base/process.h"
 #include "game/commands/commands.h"
+#include "game/ensemble/other_ranks.h"
 #include "game/ensemble/results.h"
 #include "game/files/file_use.h"
 #include "game/pages/table.h"
@@ -14,8 +16,10 @@
 namespace game {
 namespace {
 
-int threads_of(const EnsembleOptions& options) {
-    return options.threads > 0 ? options.threads : processors();
+// Under mpirun one for each process, of which it starts as many as are wanted.
+int threads_of(const EnsembleOptions& options, const Ranks* ranks) {
+    if (options.threads > 0) return options.threads;
+    return ranks != nullptr ? 1 : processors();
 }
 
 std::string report_of(const EnsembleSpec& spec, const EnsembleResult& result) {
@@ -65,8 +69,19 @@ Outcome<int> play_one(const EnsembleOptions& options, const EnsembleSpec& spec) 
 }  // namespace
 
 Outcome<int> ensemble(const EnsembleOptions& options) {
+    const auto joined = join_ranks();
+    if (!joined) return tl::unexpected(joined.error());
+    Ranks* const ranks = joined->get();
     Overrides overrides = options.overrides;
-    overrides.memory.use.sessions = options.member ? 1 : threads_of(options);
+    overrides.memory.use.sessions = options.member ? 1 : threads_of(options, ranks);
+    if (ranks != nullptr && ranks->rank() > 0) {
+        if (!options.member)
+            play_for_rank_0(*ranks, read_ensemble_spec(options.spec, overrides), threads_of(options, ranks));
+        return 0;
+    }
+    std::optional<Dismissal> dismissal;
+    if (ranks != nullptr && !options.member) dismissal.emplace(*ranks);
+
     const auto spec = read_ensemble_spec(options.spec, overrides);
     if (!spec) return tl::unexpected(spec.error());
     FileUse use;
@@ -76,13 +91,14 @@ Outcome<int> ensemble(const EnsembleOptions& options) {
     for (const std::string& warning : spec->scene.warnings) print_line(stderr, "couloir: {}", warning);
     if (options.member) return play_one(options, *spec);
 
-    const auto result = run_ensemble(*spec, *options.folder, threads_of(options));
+    const auto result = run_ensemble(*spec, *options.folder, threads_of(options, ranks), ranks);
     if (!result) return tl::unexpected(result.error());
+    // At once: what ended this process may soon end it for good.
+    if (result->interrupted)
+        print_line(stderr, "couloir: interrupted; the same command goes on with the members that are left");
     if (auto written = write_results(*options.folder, *spec, *result); !written)
         return tl::unexpected(written.error());
     print_text(options.json ? printed(to_json(*spec, *result)) : report_of(*spec, *result));
-    if (result->interrupted)
-        print_line(stderr, "couloir: interrupted; the same command goes on with the members that are left");
     return !result->interrupted && faults_in(*result) == 0 ? 0 : Failure::kBadAnswer;
 }
 

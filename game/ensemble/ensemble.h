@@ -7,6 +7,7 @@
 #include "game/base/outcome.h"
 #include "game/ensemble/journal.h"
 #include "game/ensemble/member.h"
+#include "game/ensemble/ranks.h"
 #include "game/ensemble/spec.h"
 #include "game/ensemble/vertex_counts.h"
 
@@ -25,11 +26,12 @@ struct EnsembleResult {
     bool interrupted = false;
 };
 
-// Plays the members that the folder lacks, each on one of `threads` threads, with progress. What they come to does not
-// depend on their order, on threads, or on how often the work was ended and begun again: the journal has each finished
-// member at once, the counts follow every ten seconds, and members that they lack then are played again.
+// Plays the members that the folder lacks, each on one of `threads` threads or, if this is rank 0 of several processes, on
+// another of these, with progress. What they come to does not depend on their order, on threads, on processes, or on how often
+// the work was ended and begun again: the journal has each finished member at once, the counts follow every ten seconds, and
+// members that they lack then are played again.
 // Errors: those of Journal and play_member(); the counts are damaged or of another ensemble (status 2).
 Outcome<EnsembleResult> run_ensemble(const EnsembleSpec& spec, const std::filesystem::path& folder,
-                                     int threads);
+                                     int threads, Ranks* ranks = nullptr);
 
 }  // namespace game

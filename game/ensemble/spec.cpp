@@ -138,7 +138,13 @@ Outcome<Scene> read_world(TomlTable& root, const fs::path& folder, Overrides ove
         const bool is_file = scene.find('.') != std::string::npos || scene.find('/') != std::string::npos;
         const std::string named =
             is_file ? file_named(root, "scene", folder, overrides.references).string() : scene;
-        return fault ? unusable(*fault) : load_scene(named, overrides);
+        if (fault) return unusable(*fault);
+        auto loaded = load_scene(named, overrides);
+        if (!loaded && !is_file && loaded.error().status == Failure::kUnusable) {
+            root.blame("scene", "cannot be used: " + loaded.error().sentence);
+            return unusable(*fault);
+        }
+        return loaded;
     }
     const fs::path dem = file_named(root, "terrain", folder, overrides.references);
     const fs::path release = file_named(root, "release", folder, overrides.references);
@@ -233,9 +239,18 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     spec.scene = std::move(*scene);
     spec.scene.scenario.goal.reset();
     if (spec.scene.scenario.flow) root.blame("scene", "is a flow demo, which has no avalanche");
-    for (TomlTable& table : root.tables("variable"))
-        spec.variables.push_back(read_variable(table, spec.scene));
-    for (TomlTable& table : root.tables("map")) read_map(table, spec.scene, spec.maps);
+    for (TomlTable& table : root.tables("variable")) {
+        Variable variable = read_variable(table, spec.scene);
+        const auto is_same = [&](const Variable& each) { return each.name() == variable.name(); };
+        if (!fault && std::ranges::any_of(spec.variables, is_same))
+            table.blame("of", fmt::format("is {} a second time", variable.name()));
+        if (fault) return unusable(*fault);
+        spec.variables.push_back(std::move(variable));
+    }
+    for (TomlTable& table : root.tables("map")) {
+        read_map(table, spec.scene, spec.maps);
+        if (fault) return unusable(*fault);
+    }
     root.finish();
     if (spec.variables.empty()) root.blame("", "needs at least one [[variable]]");
     if (spec.variables.size() > static_cast<std::size_t>(kMostSobolDimensions))
@@ -247,10 +262,6 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     if (spec.maps.percentiles.size() > Maps::kMostPercentiles)
         root.blame("", fmt::format("maps {} percentiles; at most {} are allowed",
                                    spec.maps.percentiles.size(), Maps::kMostPercentiles));
-    for (std::size_t i = 0; i < spec.variables.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (spec.variables[i].name() == spec.variables[j].name())
-                root.blame("", fmt::format("has two variables of {}", spec.variables[i].name()));
     if (fault) return unusable(*fault);
     if (spec.maps.thresholds.empty() && spec.maps.percentiles.empty())
         spec.maps.thresholds = {{Mapped::kThickness, 0.1}};

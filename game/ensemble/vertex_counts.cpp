@@ -18,8 +18,8 @@
 namespace game {
 namespace {
 
-constexpr std::string_view kMagic = "couloir ensemble counts 2\n";
-constexpr std::size_t kDigits = 16;  // of the identity, and of the hash at the end
+constexpr std::string_view kCountsMagic = "couloir ensemble counts 2\n";
+constexpr std::size_t kHashDigits = 16;  // of the identity, and of the hash at the end
 
 // A bin has all values with the same binary exponent and the same four binary digits after the first: a sixteenth of an
 // octave. The first bin has all below.
@@ -178,8 +178,8 @@ std::vector<float> VertexCounts::percentile(const Percentile& percentile) const 
 
 // Head, done_, counts_, then of each vertex and quantity that was reached: its place in histograms_, how many bins, bins.
 std::string VertexCounts::bytes(const std::string& identity) const {
-    CHECK(identity.size() == kDigits);
-    std::string bytes(kMagic);
+    CHECK(identity.size() == kHashDigits);
+    std::string bytes(kCountsMagic);
     bytes += identity;
     put(static_cast<std::uint64_t>(done_.size()), bytes);
     bytes.append(done_.begin(), done_.end());
@@ -194,19 +194,21 @@ std::string VertexCounts::bytes(const std::string& identity) const {
 }
 
 std::uintmax_t VertexCounts::most_bytes() const {
-    constexpr std::uintmax_t kHead = kMagic.size() + 2 * kDigits + 8, kHistogram = 8 + 2 + 6 * kBins;
+    constexpr std::uintmax_t kHead = kCountsMagic.size() + 2 * kHashDigits + 8,
+                             kHistogram = 8 + 2 + 6 * kBins;
     return kHead + static_cast<std::uintmax_t>(EnsembleSpec::kMostMembers) + 1 + 4 * counts_.size() +
            kHistogram * histograms_.size();
 }
 
 tl::expected<void, std::string> VertexCounts::take(std::string_view bytes, const std::string& identity) {
-    if (bytes.size() < kMagic.size() + 2 * kDigits || bytes.substr(0, kMagic.size()) != kMagic)
+    if (bytes.size() < kCountsMagic.size() + 2 * kHashDigits ||
+        bytes.substr(0, kCountsMagic.size()) != kCountsMagic)
         return tl::unexpected(std::string("has no counts of members"));
-    const std::string_view body = bytes.substr(0, bytes.size() - kDigits);
+    const std::string_view body = bytes.substr(0, bytes.size() - kHashDigits);
     if (hex(XXH3_64bits(body.data(), body.size())) != bytes.substr(body.size()))
         return tl::unexpected(std::string("is damaged: its hash differs"));
-    ByteTaker taker(body.substr(kMagic.size()));
-    if (taker.take(kDigits) != identity)
+    ByteTaker taker(body.substr(kCountsMagic.size()));
+    if (taker.take(kHashDigits) != identity)
         return tl::unexpected(std::string("is of another ensemble, ground or version of the physics"));
     const auto many = taker.next<std::uint64_t>();
     const auto unfit = [&] {

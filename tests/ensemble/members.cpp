@@ -16,53 +16,22 @@
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
 #include "game/recording/reader.h"
+#include "tests/ensemble/small_ensemble.h"
 #include "tests/game/full_disk.h"
-#include "tests/support/places.h"
 
 namespace game::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSpec =
-    "scene = \"landslide\"\ngrid = 20\nseconds = 30\nmembers = {}\n"
-    "[[variable]]\nof = \"friction\"\nuniform = [0.1, 0.4]\n"
-    "[[variable]]\nof = \"drag\"\nlist = [200, 1000]\n"
-    "[[map]]\nof = \"thickness\"\nover = [0.1, 1]\n"
-    "[[map]]\nof = \"speed\"\nover = [5]\npercentiles = [50, 90]\n"
-    "[[map]]\nof = \"arrival\"\npercentiles = [50]\n";
-
-class Ensemble : public testing::Test {
+class Ensemble : public SmallEnsemble {
   protected:
-    EnsembleSpec spec(int members = 8) {
-        const fs::path file = folder_.path() / "spec.toml";
-        EXPECT_TRUE(write_text(file, fmt::format(fmt::runtime(kSpec), members)));
-        auto read = read_ensemble_spec(file, {});
-        EXPECT_TRUE(read);
-        return std::move(*read);
-    }
-    fs::path at(const std::string& name) const { return folder_.path() / name; }
-    // Runs it, and returns all results but the journal, by name of file.
-    std::map<std::string, std::string> results(const EnsembleSpec& of, const std::string& name, int threads) {
-        const auto result = run_ensemble(of, at(name), threads);
-        EXPECT_TRUE(result) << result.error().sentence;
-        if (!result) return {};
-        EXPECT_TRUE(write_results(at(name), of, *result));
-        std::map<std::string, std::string> files;
-        for (const auto& entry : fs::directory_iterator(at(name)))
-            if (entry.path().filename() != kJournalName)
-                files[entry.path().filename().string()] = read_text(entry.path()).value();
-        return files;
-    }
-    std::string journal(const std::string& name) { return read_text(at(name) / kJournalName).value(); }
     // Why it does not run in this folder.
     Failure refused(const EnsembleSpec& of, const std::string& name) {
         const auto result = run_ensemble(of, at(name), 1);
         EXPECT_FALSE(result);
         return result ? Failure{Failure::kBadAnswer, ""} : result.error();
     }
-
-    support::TemporaryFolder folder_;
 };
 
 TEST_F(Ensemble, has_the_same_results_on_any_number_of_threads_and_after_any_end) {

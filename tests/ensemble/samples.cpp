@@ -158,7 +158,7 @@ TEST_F(SpecFile, is_refused_with_line_and_fact) {
     EXPECT_EQ(refused(kFriction), "1: needs `members`: how many runs");
     EXPECT_EQ(refused("members = 1000000000\n"), "3: members is 1000000000, outside 1 to 100000");
     EXPECT_EQ(refused(five), "1: needs at least one [[variable]]");
-    EXPECT_EQ(refused(five + kFriction + kFriction), "1: has two variables of friction");
+    EXPECT_EQ(refused(five + kFriction + kFriction), "8: variable.of is friction a second time");
     EXPECT_EQ(refused(five + "sed = 3\n" + kFriction), "4: sed is not a known key");
     EXPECT_EQ(refused(five + "terrain = \"hill.tif\"\n" + kFriction), "1: needs either `scene` or `terrain`");
     EXPECT_EQ(refused(five + "release = \"release.geojson\"\n" + kFriction),

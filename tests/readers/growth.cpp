@@ -9,6 +9,7 @@
 
 #include "game/bench/against.h"
 #include "game/bench/report.h"
+#include "game/ensemble/journal.h"
 #include "game/files/array_file.h"
 #include "game/files/mesh_file.h"
 #include "game/files/toml_table.h"
@@ -173,6 +174,15 @@ bool reads_toml(const fs::path& path) {
 bool reads_scene(const fs::path& path) {
     return load_scene(path.string(), {}).has_value();
 }
+bool reads_ensemble(const fs::path& path) {
+    return read_ensemble_spec(path, {}).has_value();
+}
+bool reads_journal(const fs::path& path) {
+    EnsembleSpec spec;
+    spec.identity = "0123456789abcdef";
+    spec.variables.emplace_back().of = Variable::Of::kDensity;
+    return Journal::open(path, spec).has_value();
+}
 bool reads_report(const fs::path& path) {
     return read_report(path).has_value();
 }
@@ -303,6 +313,32 @@ const std::vector<Growing>& all_growing() {
                  n, [](int i) { return fmt::format("k{} = {}", i, i); }, "\n"));
          },
          reads_scene, false, ".toml"},
+        {"ensemble_of_values", 90,
+         [](int n) {
+             return fmt::format(
+                 "scene = \"landslide\"\nmembers = 3\n[[variable]]\nof = \"friction\"\nlist = [{}]",
+                 repeated(n, [](int i) { return fmt::format("0.2{}", i); }));
+         },
+         reads_ensemble, true, ".toml"},
+        {"ensemble_of_variables", 100,
+         [](int n) {
+             return "scene = \"landslide\"\nmembers = 3\n" +
+                    repeated(
+                        n, [](int) { return "[[variable]]\nof = \"friction\"\nuniform = [0.2, 0.3]"; }, "\n");
+         },
+         reads_ensemble, false, ".toml"},
+        {"journal_of_members", 800,
+         [](int n) {
+             return R"({"couloir":"ensemble","format":1,"ensemble":"0123456789abcdef","variables":["density"]})"
+                    "\n" +
+                    repeated(
+                        n,
+                        [](int i) {
+                            return fmt::format(R"({{"fault":"none","member":{},"sample":[1]}})", i + 1);
+                        },
+                        "\n");
+         },
+         reads_journal, true, ".jsonl"},
         {"toml_of_tables", 100,
          [](int n) {
              return repeated(
