@@ -31,6 +31,7 @@ namespace {
 
 constexpr Range<int> kThreads{1, 64};
 constexpr Range<int> kSquares{8, 4096, "squares"};
+constexpr Range<double> kSlopes{0, 90, "degrees"};
 constexpr Range<int> kPixels{16, 8192, "pixels"};
 constexpr Range<int> kDevices{0, 255};
 constexpr Range<std::int64_t> kTicks{0, 1'000'000'000, "ticks"};
@@ -486,6 +487,48 @@ void add_ensemble(CLI::App& app, EnsembleOptions& options) {
                "one per processor; under mpirun, one per process");
 }
 
+void add_release(CLI::App& app, ReleaseOptions& options) {
+    terrains::ReleaseRules& rules = options.rules;
+    app.add_option("ground", options.ground, "a DEM (GeoTIFF, ESRI ASCII, …), or a scene from `couloir list`")
+        ->type_name("DEM|SCENE")
+        ->required();
+    app.add_option("--out", options.out, "write the areas to this file, for a GIS and for `run --release`")
+        ->type_name("FILE.geojson");
+    app.add_option("--map", options.map, "draw a map of them")->type_name("FILE.png");
+    app.add_option(
+           "--forest", options.forest,
+           "leave out forest: a raster of the same extent with the share of a cell under crowns, 0 to 1")
+        ->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--slope",
+           [&rules](const std::string& text) {
+               std::tie(rules.least_slope, rules.most_slope) = pair_of("--slope", text, ':', kSlopes);
+           },
+           described("least and greatest slope", kSlopes, "28:55"))
+        ->type_name("LEAST:MOST");
+    add_number(app, "--ruggedness", "NUMBER", rules.most_ruggedness, Range<double>{0, 1},
+               "greatest ruggedness of 3 × 3 cells (Sappington and others 2007)", "0.01");
+    add_number(app, "--curvature", "NUMBER", rules.most_curvature, Range<double>{0, 1000},
+               "greatest curvature of a contour line, rad per 100 m", "6");
+    add_number(app, "--crowns", "NUMBER", rules.most_forest, Range<double>{0, 1},
+               "with --forest: greatest share of a cell under crowns", "0.3");
+    add_number(app, "--least-area", "NUMBER", rules.least_area, Range<double>{0, 1e9}, "least area in plan",
+               "2500");
+    add_number(app, "--most-area", "NUMBER", rules.most_area, Range<double>{1, 1e9},
+               "greatest area in plan: larger ones are cut at ribs", "100000");
+    add_number(app, "--thickness", "NUMBER", options.thickness, Range<double>{0.01, 10},
+               "thickness normal to the slope, for volumes and for `run`", "1");
+    app.add_option("--crs", options.overrides.crs,
+                   "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
+                   "system in metres")
+        ->type_name("SYSTEM");
+    add_number(app, "--grid", "N", options.overrides.squares, kSquares, "squares along the longer side",
+               "the DEM's own");
+    app.add_flag("--json", options.json, "print the areas as JSON");
+    add_references(app, options.overrides);
+    add_memory(app, options.overrides.memory);
+}
+
 void add_compare(CLI::App& app, CompareOptions& options) {
     app.add_option("first", options.first, "name from `couloir list`, or a file")->type_name("A")->required();
     app.add_option("second", options.second, "name or file of the other")->type_name("B")->required();
@@ -820,6 +863,8 @@ const auto& subcommands() {
         Subcommand{"ensemble",
                    "run a world many times with other numbers, and map how likely it is that a place is hit",
                    with(add_ensemble, ensemble)},
+        Subcommand{"release", "find where slabs of snow may let go on a mountain",
+                   with(add_release, release)},
         Subcommand{"edit", "change one command of a recording, run it again, and compare the results",
                    with(add_edit, edit)},
         Subcommand{

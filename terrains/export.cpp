@@ -78,4 +78,13 @@ Written write_outlines(const std::filesystem::path& path, const sim::Grid& grid,
     return write_text(path, *text);
 }
 
+Written write_areas(const std::filesystem::path& path, const sim::Grid& grid,
+                    const Georeference& georeference, std::span<const int> patch,
+                    std::span<const Properties> properties) {
+    CHECK(patch.size() == grid.size());
+    const auto text = outlines_of(grid, georeference, patch, properties);
+    if (!text) return tl::unexpected(fmt::format("{}: {}", path.string(), text.error()));
+    return write_text(path, *text);
+}
+
 }  // namespace terrains

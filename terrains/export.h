@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -40,5 +42,13 @@ Written write_ascii(const std::filesystem::path& path, const sim::Grid& grid,
 // placed, else the grid's own metres; then the collection's member `coordinates` is "local metres".
 Written write_outlines(const std::filesystem::path& path, const sim::Grid& grid,
                        const Georeference& georeference, std::span<const std::uint8_t> mask);
+
+// More of a polygon: names of letters and _, and numbers.
+using Properties = std::vector<std::pair<std::string, double>>;
+// The same around patches that are numbered already: per vertex a number, from 1 and none left out, or 0; the cells of a
+// number are joined by their sides. `properties`: more of each patch, from number 1; may be shorter.
+Written write_areas(const std::filesystem::path& path, const sim::Grid& grid,
+                    const Georeference& georeference, std::span<const int> patch,
+                    std::span<const Properties> properties);
 
 }  // namespace terrains

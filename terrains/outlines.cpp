@@ -1,5 +1,6 @@
 #include "terrains/outlines.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,9 +20,34 @@ struct Corner {
 };
 using Ring = std::vector<Corner>;  // closed: the first corner again at the end
 
+// The number, from 1, of the patch of cells of a mask, joined by their sides, that each vertex is in, or 0.
+std::vector<int> patches_of(const sim::Grid& grid, std::span<const std::uint8_t> mask) {
+    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * grid.nx + x; };
+    std::vector<int> patch(grid.size());
+    std::vector<std::size_t> open;
+    int count = 0;
+    for (std::size_t first = 0; first < patch.size(); ++first) {
+        if (mask[first] == 0 || patch[first] != 0) continue;
+        patch[first] = ++count;
+        for (open.push_back(first); !open.empty();) {
+            const int x = static_cast<int>(open.back() % grid.nx),
+                      y = static_cast<int>(open.back() / grid.nx);
+            open.pop_back();
+            for (const auto& [i, j] : {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}) {
+                if (!grid.contains(i, j) || mask[at(i, j)] == 0 || patch[at(i, j)] != 0) continue;
+                patch[at(i, j)] = count;
+                open.push_back(at(i, j));
+            }
+        }
+    }
+    return patch;
+}
+
 class Patches {
   public:
-    Patches(const sim::Grid& grid, std::span<const std::uint8_t> mask) : grid_(grid), mask_(mask) { label(); }
+    // `patch`: of each vertex its number, from 1 and none left out, or 0.
+    Patches(const sim::Grid& grid, std::span<const int> patch)
+        : grid_(grid), patch_(patch), count_(patch.empty() ? 0 : std::ranges::max(patch)) {}
 
     // Rings of every patch: the outer one first, counter-clockwise (inside on the left), then holes
     // clockwise.
@@ -30,33 +56,12 @@ class Patches {
   private:
     std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * grid_.nx + x; }
     int patch(int x, int y) const { return grid_.contains(x, y) ? patch_[at(x, y)] : 0; }
-    void label();
     Ring trace(int patch_number, Corner start, std::vector<bool>& done) const;
 
     const sim::Grid& grid_;
-    std::span<const std::uint8_t> mask_;
-    std::vector<int> patch_;  // 0 outside, else the number of the patch of cells joined by their sides
-    int count_ = 0;
+    std::span<const int> patch_;
+    int count_;
 };
-
-void Patches::label() {
-    patch_.assign(grid_.size(), 0);
-    std::vector<std::size_t> open;
-    for (std::size_t first = 0; first < patch_.size(); ++first) {
-        if (mask_[first] == 0 || patch_[first] != 0) continue;
-        patch_[first] = ++count_;
-        for (open.push_back(first); !open.empty();) {
-            const int x = static_cast<int>(open.back() % grid_.nx),
-                      y = static_cast<int>(open.back() / grid_.nx);
-            open.pop_back();
-            for (const auto& [i, j] : {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}) {
-                if (!grid_.contains(i, j) || mask_[at(i, j)] == 0 || patch_[at(i, j)] != 0) continue;
-                patch_[at(i, j)] = count_;
-                open.push_back(at(i, j));
-            }
-        }
-    }
-}
 
 // Follows a patch's border with the patch on the left, from a corner where the border runs east. Where two
 // cells of the patch touch only in a corner, one side of them is a hole. Turning right there keeps the hole's
@@ -120,13 +125,15 @@ std::string ring_text(const Points& points, int decimals) {
 }  // namespace
 
 tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
-                                                   std::span<const std::uint8_t> mask) {
+                                                   std::span<const int> patch,
+                                                   std::span<const Properties> properties) {
     const int decimals = georeference.placed() ? 8 : 3;  // one millimetre in both cases
     const auto to_degrees =
         PlaneTransform::between(georeference.placed() ? georeference.wkt() : wgs84_wkt(), wgs84_wkt());
     if (!to_degrees) return tl::unexpected(to_degrees.error());
-    const Patches patches(grid, mask);
+    const Patches patches(grid, patch);
     std::string features;
+    std::size_t number = 0;
     for (const auto& rings : patches.rings()) {
         std::string coordinates;
         double area = 0;
@@ -139,14 +146,24 @@ tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const 
                 return tl::unexpected<std::string>("the outline has points without a position on Earth");
             coordinates += (coordinates.empty() ? "" : ", ") + ring_text(points, decimals);
         }
+        std::string more;
+        if (number < properties.size())
+            for (const auto& [name, value] : properties[number])
+                more += fmt::format(", \"{}\": {}", name, value);
+        ++number;
         features += fmt::format(
-            "{}\n{{ \"type\": \"Feature\", \"properties\": {{ \"area_m2\": {:.1f} }}, \"geometry\": {{ "
+            "{}\n{{ \"type\": \"Feature\", \"properties\": {{ \"area_m2\": {:.1f}{} }}, \"geometry\": {{ "
             "\"type\": "
             "\"Polygon\", \"coordinates\": [{}] }} }}",
-            features.empty() ? "" : ",", area * grid.cell_area(), coordinates);
+            features.empty() ? "" : ",", area * grid.cell_area(), more, coordinates);
     }
     return fmt::format("{{\n\"type\": \"FeatureCollection\",{}\n\"features\": [{}\n]\n}}\n",
                        georeference.placed() ? "" : "\n\"coordinates\": \"local metres\",", features);
+}
+
+tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
+                                                   std::span<const std::uint8_t> mask) {
+    return outlines_of(grid, georeference, patches_of(grid, mask), {});
 }
 
 }  // namespace terrains

@@ -7,12 +7,17 @@
 #include <tl/expected.hpp>
 
 #include "sim/core/grid.h"
-#include "terrains/georeference.h"
+#include "terrains/export.h"
 
 namespace terrains {
 
 // The GeoJSON text for write_outlines(). Fails if a point has no position on Earth.
 tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
                                                    std::span<const std::uint8_t> mask);
+
+// The same for write_areas().
+tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
+                                                   std::span<const int> patch,
+                                                   std::span<const Properties> properties);
 
 }  // namespace terrains

@@ -18,6 +18,7 @@
 #include "game/share/slide_page.h"
 #include "sim/engine.h"
 #include "sim/front/tracker.h"
+#include "terrains/release_areas.h"
 
 namespace game {
 
@@ -111,6 +112,17 @@ struct EnsembleOptions {
 };
 // Plays the members of an ensemble and maps probabilities; 1 if any could not run, or after Ctrl+C.
 Outcome<int> ensemble(const EnsembleOptions& options);
+
+struct ReleaseOptions {
+    std::filesystem::path ground;  // a DEM, or a scene by its name or file
+    std::optional<std::filesystem::path> out, map, forest;
+    terrains::ReleaseRules rules;
+    double thickness = 1;  // m normal to the slope
+    Overrides overrides;
+    bool json = false;
+};
+// Finds where slabs of snow may let go on a DEM or in a scene; 1 if nowhere.
+Outcome<int> release(const ReleaseOptions& options);
 
 struct NormaliseOptions {
     std::string recording;  // name or file

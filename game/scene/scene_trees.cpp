@@ -9,7 +9,7 @@
 #include "files/input.h"
 #include "game/base/limits.h"
 #include "game/scene/shown_numbers.h"
-#include "terrains/dem_gdal.h"
+#include "terrains/share_raster.h"
 
 namespace game {
 namespace {
@@ -23,46 +23,6 @@ double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 
 bool cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
     return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
-}
-
-bool is_same_place(const terrains::Georeference& a, const terrains::Georeference& b, double apart) {
-    if (!a.has_coordinates() || !b.has_coordinates()) return true;  // a generated terrain is nowhere
-    return (a.wkt().empty() || b.wkt().empty() || a.wkt() == b.wkt()) &&
-           std::abs(a.origin_x() - b.origin_x()) <= apart && std::abs(a.origin_y() - b.origin_y()) <= apart;
-}
-
-std::string size_of(const sim::Grid& grid) {
-    return fmt::format("{} × {} vertices of {:.6g} m", grid.nx, grid.ny, grid.dx);
-}
-
-// One value for each vertex, 0 to 255 for 0 to 1.
-tl::expected<std::vector<std::uint8_t>, std::string> read_shares(const fs::path& file,
-                                                                 const terrains::Terrain& terrain,
-                                                                 terrains::References references,
-                                                                 std::vector<fs::path>& files) {
-    const sim::Grid& grid = terrain.grid;
-    const auto raster = terrains::read_dem(file, terrains::GridChoice(std::max(grid.nx, grid.ny) - 1),
-                                           references, terrains::Quantity::kShare);
-    if (!raster) return tl::unexpected(raster.error());
-    files.insert(files.end(), raster->files.begin(), raster->files.end());
-    const sim::Grid& own = raster->grid;
-    const double cell = grid.dx;
-    if (own.nx != grid.nx || own.ny != grid.ny || std::abs(static_cast<double>(own.dx) - cell) > 0.01 * cell)
-        return tl::unexpected(fmt::format("{}: spans {}, and the grid has {}; they must be the same",
-                                          file.string(), size_of(own), size_of(grid)));
-    if (!is_same_place(raster->georeference, terrain.georeference, 0.5 * cell))
-        return tl::unexpected(fmt::format(
-            "{}: begins at {:.1f}, {:.1f}, and the grid at {:.1f}, {:.1f}; they must be at the same place",
-            file.string(), raster->georeference.origin_x(), raster->georeference.origin_y(),
-            terrain.georeference.origin_x(), terrain.georeference.origin_y()));
-    std::vector<std::uint8_t> shares(grid.size());
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        if (raster->has_data[i] == 0) continue;
-        // The reader bounds them, but between pixels a plane is fitted, which may lie a little beyond.
-        const double share = raster->surface[i];
-        shares[i] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
-    }
-    return shares;
 }
 
 }  // namespace
@@ -114,7 +74,8 @@ tl::expected<render::TreeRules, std::string> trees_on(const TreesTable& trees,
                             i + 1, corner.x, corner.y, width, height));
     }
     if (trees.raster) {
-        auto shares = read_shares(*trees.raster, terrain, references, files);
+        auto shares =
+            terrains::read_shares(*trees.raster, terrain.grid, terrain.georeference, references, files);
         if (!shares) return tl::unexpected(shares.error());
         rules.shares = std::move(*shares);
     }

@@ -101,9 +101,12 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"S", {"{}"}},
     {"NUMBER", {"{}"}},
     {"WxH", {"{}x64", "64x{}"}},
+    {"LEAST:MOST", {"{}:50", "20:{}"}},
     {"WAY", {"device:{}"}},
     {"EAST,NORTH", {"{},5", "5,{}"}},
     {"", {}},
+    {"FILE.geojson", {}},
+    {"FILE.png", {}},
     {"NAME=VALUE,...", {}},  // Number.of_a_command_is_in_the_range_of_the_manifest, Number.of_a_parameter_…
     {"NAME", {}},
     {"FROM", {}},
@@ -124,7 +127,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"R.npy", {}}};
 
 bool is_whole(const std::string& type) {
-    return type != "S" && type != "NUMBER" && type != "EAST,NORTH";
+    return type != "S" && type != "NUMBER" && type != "EAST,NORTH" && type != "LEAST:MOST";
 }
 
 // What no option takes, and for one of whole numbers and such a range.
@@ -158,6 +161,7 @@ std::vector<std::string> beginning(const std::string& subcommand) {
         {"edit", {"no.couloir", "--out", "no/new.couloir"}},
         {"normalise", {"no.couloir", "--out", "no/new.couloir"}},
         {"bench", {"no.couloir"}},
+        {"release", {"no.tif"}},
         {"track", {"no.obj", "no.npy"}},
         {"figures", {"--out", "/dev/null/no"}},
         {"gallery", {"--out", "/dev/null/no"}}};
