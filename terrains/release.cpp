@@ -69,17 +69,30 @@ tl::expected<Release, std::string> cover_ground(const Terrain& terrain, const st
     return release;
 }
 
-tl::expected<Release, std::string> of_areas(const std::filesystem::path& path, const Terrain& terrain,
-                                            std::optional<Thickness> measured) {
+// The polygons of a file.
+struct MeasuredAreas {
+    std::vector<Area> areas;
+    std::size_t without_geometry = 0;
+};
+tl::expected<MeasuredAreas, std::string> measured_areas(const std::filesystem::path& path,
+                                                        const Terrain& terrain,
+                                                        std::optional<Thickness> measured) {
     const ThicknessNames names{.both_normal = measured == Thickness::kNormal};
     auto read = read_areas(path, terrain.georeference, names);
+    if (!read) return tl::unexpected(read.error());
+    if (measured == Thickness::kVertical && std::ranges::any_of(read->areas, &Area::normal))
+        return tl::unexpected(fmt::format("{}: it has '{}', which is not vertical; leave --thickness out",
+                                          path.string(), names.normal));
+    return MeasuredAreas{std::move(read->areas), read->without_geometry};
+}
+
+tl::expected<Release, std::string> of_areas(const std::filesystem::path& path, const Terrain& terrain,
+                                            std::optional<Thickness> measured) {
+    auto read = measured_areas(path, terrain, measured);
     if (!read) return tl::unexpected(read.error());
     std::vector<Area>& areas = read->areas;
     const auto vertical_from =
         std::partition(areas.begin(), areas.end(), [](const Area& a) { return a.normal; });
-    if (measured == Thickness::kVertical && vertical_from != areas.begin())
-        return tl::unexpected(fmt::format("{}: it has '{}', which is not vertical; leave --thickness out",
-                                          path.string(), names.normal));
     auto release = cover_ground(terrain, {areas.begin(), vertical_from}, Thickness::kNormal);
     const auto vertical = cover_ground(terrain, {vertical_from, areas.end()}, Thickness::kVertical);
     for (const auto* one : {&std::as_const(release), &vertical})
@@ -123,6 +136,44 @@ tl::expected<Release, std::string> of_raster(const std::filesystem::path& path, 
     release.volumes.in_file *= vertical_per_measured;
     release.volumes.outside *= vertical_per_measured;
     return release;
+}
+
+// Of a polygon by itself: costs what the part of the grid around it costs.
+tl::expected<ReleasePatch, std::string> patch_of(Area area, const Terrain& terrain) {
+    const sim::Grid& grid = terrain.grid;
+    const double dx = grid.dx;
+    LocalPoint least = area.rings.front().front(), most = least;
+    for (const std::vector<LocalPoint>& ring : area.rings)
+        for (const LocalPoint& point : ring) {
+            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+            most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+        }
+    // Its vertices, with one more on each side.
+    const auto vertex = [dx](double metres, int beyond, int end) {
+        return static_cast<int>(
+            std::clamp(std::floor(metres / dx) + beyond, 0.0, static_cast<double>(end - 1)));
+    };
+    const int x0 = vertex(least.x, -1, grid.nx), x1 = vertex(most.x, 2, grid.nx);
+    const int y0 = vertex(least.y, -1, grid.ny), y1 = vertex(most.y, 2, grid.ny);
+    for (std::vector<LocalPoint>& ring : area.rings)
+        for (LocalPoint& point : ring) point = {point.x - x0 * dx, point.y - y0 * dx};
+    const sim::Grid window{x1 - x0 + 1, y1 - y0 + 1, grid.dx};
+    const auto coverage = cover(window, {area});
+    if (!coverage) return tl::unexpected(coverage.error());
+
+    ReleasePatch patch;
+    std::size_t i = 0;
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x, ++i) {
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+            if (coverage->mean[i] == 0 || terrain.has_data[at] == 0) continue;
+            const double vertical = area.normal ? vertical_per_normal(terrain, x, y) : 1;
+            patch.vertices.push_back(static_cast<std::uint32_t>(at));
+            patch.thickness.push_back(static_cast<float>(static_cast<double>(coverage->mean[i]) * vertical));
+            patch.volume += static_cast<double>(patch.thickness.back()) * grid.cell_area();
+        }
+    return patch;
 }
 
 bool empty(const std::vector<float>& thickness) {
@@ -169,6 +220,24 @@ tl::expected<Release, std::string> read_release(const std::filesystem::path& pat
     release->volumes.on_ground = volume(terrain, release->thickness);
     release->volumes.on_no_data = on_grid - release->volumes.on_ground;
     return release;
+}
+
+tl::expected<std::vector<ReleasePatch>, std::string> read_release_patches(const std::filesystem::path& path,
+                                                                          const Terrain& terrain,
+                                                                          std::optional<Thickness> measured) {
+    if (auto is_file = files::check_input(path); !is_file) return tl::unexpected(is_file.error());
+    if (!looks_like_json(path))
+        return tl::unexpected(
+            fmt::format("{}: it has no polygons that could be released one at a time", path.string()));
+    const auto read = measured_areas(path, terrain, measured);
+    if (!read) return tl::unexpected(read.error());
+    std::vector<ReleasePatch> patches;
+    for (const Area& area : read->areas) {
+        auto patch = patch_of(area, terrain);
+        if (!patch) return tl::unexpected(fmt::format("{}: {}", path.string(), patch.error()));
+        patches.push_back(std::move(*patch));
+    }
+    return patches;
 }
 
 tl::expected<Reference, std::string> read_reference(const std::filesystem::path& path, const Terrain& terrain,

@@ -58,6 +58,20 @@ tl::expected<Release, std::string> read_release(const std::filesystem::path& pat
                                                 std::optional<Thickness> measured = {},
                                                 References references = References::kRefused);
 
+// What one polygon of a release holds by itself, whatever others overlap it.
+struct ReleasePatch {
+    std::vector<std::uint32_t>
+        vertices;                  // with known ground and some of it, ascending; none if it lies elsewhere
+    std::vector<float> thickness;  // vertical m at each of them
+    double volume = 0;             // m³ on this ground
+};
+
+// Reads each polygon of a GeoJSON file, in its order, as read_release() reads them all. Errors: those of read_release(),
+// and a file that is a raster.
+tl::expected<std::vector<ReleasePatch>, std::string> read_release_patches(const std::filesystem::path& path,
+                                                                          const Terrain& terrain,
+                                                                          std::optional<Thickness> measured);
+
 // A reference to compare with, observed or simulated: one of the two fields, the other is empty.
 struct Reference {
     std::vector<std::uint8_t> extent;  // 1 where the avalanche was

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -87,8 +90,24 @@ std::vector<Class> classes_of_arrival(const EnsembleMap& map) {
     return classes_from(bounds, false, map.unit);
 }
 
+// Of a number of release areas: each up to three, then 1, 2, 5 with powers of ten.
+std::vector<Class> classes_of_areas(const EnsembleMap& map) {
+    const float most = most_of(map.values);
+    std::vector<float> bounds{0, 1.5f, 2.5f};
+    constexpr int kFive = 2;
+    for (int step = kFive; round_number(step) <= most; ++step) bounds.push_back(round_number(step));
+    std::vector<Class> classes = classes_from(bounds, true, map.unit);
+    classes[0].least = 1e-6f, classes[0].words = "1 area", classes[1].words = "2 areas";
+    classes[2].words = "3 and more";
+    if (bounds.size() > 3) classes[2].words = "3 to 5 areas";
+    return classes;
+}
+
 std::vector<Class> classes_of(const EnsembleMap& map) {
     switch (map.kind) {
+        case EnsembleMap::Kind::kAreas:
+            return classes_of_areas(map);
+        case EnsembleMap::Kind::kPolygon:
         case EnsembleMap::Kind::kPeak:
             return classes_of_peak(map);
         case EnsembleMap::Kind::kArrival:
@@ -133,9 +152,27 @@ std::vector<float> filled(const sim::Grid& grid, const std::vector<float>& field
 
 std::vector<EnsembleMap> maps_of(const EnsembleSpec& spec, const EnsembleResult& result) {
     std::vector<EnsembleMap> maps;
+    const auto areas = static_cast<float>(spec.scene.patches.size());
+    if (areas > 0) {
+        EnsembleMap hardest{
+            "hardest_polygon", "Release area that hits hardest", {}, EnsembleMap::Kind::kPolygon, "1"};
+        for (const std::int64_t member : result.counts.hardest())
+            hardest.values.push_back(member == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                                 : static_cast<float>(*spec.patch_of(member)));
+        maps.push_back(std::move(hardest));
+    }
     for (std::size_t i = 0; i < spec.maps.thresholds.size(); ++i) {
         const Threshold& each = spec.maps.thresholds[i];
         const MappedInfo& info = info_of(each.of);
+        if (areas > 0) {
+            std::vector<float> values = result.counts.probability(i);
+            for (float& value : values) value *= areas;
+            maps.push_back({fmt::format("areas_{}_over_{}", info.name, each.least),
+                            fmt::format("Release areas that bring a {} of {} {} and more", info.name,
+                                        each.least, info.unit),
+                            std::move(values), EnsembleMap::Kind::kAreas, "areas"});
+            continue;
+        }
         maps.push_back({fmt::format("probability_{}_over_{}", info.name, each.least),
                         fmt::format("Probability of {} of {} {} and more", info.name, each.least, info.unit),
                         result.counts.probability(i), EnsembleMap::Kind::kProbability, "1"});
@@ -156,6 +193,61 @@ std::vector<EnsembleMap> maps_of(const EnsembleSpec& spec, const EnsembleResult&
     return maps;
 }
 
+namespace {
+
+// A colour for a number, far from those of the numbers next to it.
+glm::vec3 polygon_colour(int number) {
+    constexpr float kGolden = 0.618034f, kTurn = 6.2831853f;
+    const float hue = static_cast<float>(number) * kGolden * kTurn;
+    const float light = number % 2 == 0 ? 168.f : 132.f;
+    return glm::vec3(light) +
+           58.f * glm::vec3(std::cos(hue), std::cos(hue - kTurn / 3), std::cos(hue + kTurn / 3));
+}
+
+// Each place in the colour of the release area that hits it hardest, and that area itself, darker.
+void draw_polygons(const EnsembleMap& map, const EnsembleSpec& spec, MapPage& page) {
+    const sim::Grid& grid = spec.scene.scenario.grid;
+    std::vector<int> of(grid.size());      // the area that a vertex is in itself
+    std::vector<float> inside(of.size());  // 1 in any
+    for (std::size_t i = 0; i < spec.scene.patches.size(); ++i)
+        for (const std::uint32_t vertex : spec.scene.patches[i].release.vertices)
+            of[vertex] = static_cast<int>(i) + 1, inside[vertex] = 1;
+    page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
+        Relief::Tint tint;
+        const int x = static_cast<int>(std::lround(cells.x)), y = static_cast<int>(std::lround(cells.y));
+        if (!grid.contains(x, y)) return tint;
+        const std::size_t i =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+        if (of[i] != 0)
+            tint = {0.62f * polygon_colour(of[i]), 0.9f};
+        else if (!std::isnan(map.values[i]))
+            tint = {polygon_colour(static_cast<int>(map.values[i])), 0.72f};
+        return tint;
+    });
+    page.relief().outline(page.sheet(), inside, 0.5f, 1, 0, {20, 20, 24});
+}
+
+void tell_polygons(const EnsembleMap& map, const EnsembleSpec& spec, MapPage& page) {
+    std::map<int, std::size_t> cells;
+    std::size_t all = 0;
+    for (const float value : map.values)
+        if (!std::isnan(value)) ++cells[static_cast<int>(value)], ++all;
+    std::vector<std::pair<std::size_t, int>> order;
+    for (const auto& [number, many] : cells) order.emplace_back(many, number);
+    std::ranges::sort(order, [](const auto& a, const auto& b) {
+        return std::pair(b.first, a.second) < std::pair(a.first, b.second);
+    });
+    constexpr std::size_t kMostTold = 8;
+    for (std::size_t i = 0; i < std::min(order.size(), kMostTold); ++i)
+        page.swatch(polygon_colour(order[i].second),
+                    fmt::format("polygon {}: {:.1f} % of what is reached", order[i].second,
+                                100 * static_cast<double>(order[i].first) / static_cast<double>(all)));
+    page.whisper(fmt::format("by {}; release areas are dark, {} in all", info_of(*spec.maps.hardest).name,
+                             spec.scene.patches.size()));
+}
+
+}  // namespace
+
 render::Picture picture_of(const EnsembleMap& map, const EnsembleSpec& spec, const EnsembleResult& result) {
     const Scenario& scenario = spec.scene.scenario;
     const std::vector<Class> classes = classes_of(map);
@@ -165,20 +257,27 @@ render::Picture picture_of(const EnsembleMap& map, const EnsembleSpec& spec, con
     const std::vector<float> values = filled(scenario.grid, map.values);
     const bool is_probability = map.kind == EnsembleMap::Kind::kProbability;
     MapPage page(scenario, frame_around(scenario.grid, [&](std::size_t i) { return shown[i] > 0; }));
-    page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
-        Relief::Tint tint;
-        if (map.kind == EnsembleMap::Kind::kArrival && between(scenario.grid, shown, cells) < 0.5f)
+    const bool is_polygon = map.kind == EnsembleMap::Kind::kPolygon;
+    if (is_polygon)
+        draw_polygons(map, spec, page);
+    else
+        page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
+            Relief::Tint tint;
+            if (map.kind == EnsembleMap::Kind::kArrival && between(scenario.grid, shown, cells) < 0.5f)
+                return tint;
+            const float value = between(scenario.grid, values, cells);
+            for (const Class& each : classes)
+                if (value >= each.least) tint = {each.colour, 0.82f};
             return tint;
-        const float value = between(scenario.grid, values, cells);
-        for (const Class& each : classes)
-            if (value >= each.least) tint = {each.colour, 0.82f};
-        return tint;
-    });
+        });
     if (is_probability) page.relief().outline(page.sheet(), values, 0.5f, 1.4f, 0, {20, 20, 24});
     page.title(map.title);
     page.say(fmt::format("{}: {} members", spec.title, result.counts.members()));
     page.skip(12);
-    for (std::size_t i = classes.size(); i-- > 0;) page.swatch(classes[i].colour, classes[i].words);
+    if (is_polygon)
+        tell_polygons(map, spec, page);
+    else
+        for (std::size_t i = classes.size(); i-- > 0;) page.swatch(classes[i].colour, classes[i].words);
     if (is_probability) {
         page.skip(6);
         page.stroke(1.6f, 0, {20, 20, 24}, "one half");

@@ -13,7 +13,13 @@ struct EnsembleMap {
     std::string name;           // "probability_pressure_over_10", of its files
     std::string title;          // "Probability of pressure of 10 kPa and more"
     std::vector<float> values;  // NaN where there is none
-    enum class Kind : std::uint8_t { kProbability, kPeak, kArrival } kind = Kind::kProbability;
+    enum class Kind : std::uint8_t {
+        kProbability,
+        kPeak,
+        kArrival,
+        kAreas,
+        kPolygon
+    } kind = Kind::kProbability;
     std::string_view unit;  // of the values
 };
 // One of each threshold and percentile of the spec.

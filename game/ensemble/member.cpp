@@ -66,7 +66,7 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
     Member& member = played.member;
     member.number = number;
     member.sample = spec.sample(number);
-    auto scenario = spec.scenario_of(member.sample);
+    auto scenario = spec.scenario_of(number);
     if (!scenario) {
         member.fault = scenario.error().sentence;
         return played;

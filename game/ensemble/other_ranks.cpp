@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -50,6 +51,9 @@ std::string message_of(const PlayedMember& played) {
     put_all(played.marks.vertices, bytes);
     put_all(played.marks.passed, bytes);
     put_all(played.marks.bins, bytes);
+    std::vector<std::uint32_t> hardness;
+    for (const float each : played.marks.hardness) hardness.push_back(std::bit_cast<std::uint32_t>(each));
+    put_all(hardness, bytes);
     return bytes;
 }
 
@@ -68,6 +72,8 @@ tl::expected<PlayedMember, std::string> played_from(std::string_view bytes) {
     played.marks.vertices = all_of<std::uint32_t>(taker);
     played.marks.passed = all_of<std::uint16_t>(taker);
     played.marks.bins = all_of<std::uint16_t>(taker);
+    for (const std::uint32_t each : all_of<std::uint32_t>(taker))
+        played.marks.hardness.push_back(std::bit_cast<float>(each));
     if (taker.has_failed() || taker.left() > 0) return tl::unexpected(std::string("was cut"));
     const auto json = terrains::read_json<Json>(std::string(line), kLineLimits);
     if (!json) return tl::unexpected(json.error());

@@ -26,12 +26,17 @@ int colour_of(std::size_t variable) {
 }
 
 std::string introduction(const EnsembleSpec& spec, const EnsembleResult& result) {
+    const std::size_t varied = spec.variables.size(), polygons = spec.scene.patches.size();
+    std::string differ;
+    if (polygons > 0) differ = fmt::format("releases one of {} polygons in turn", polygons);
+    if (varied > 0)
+        differ += fmt::format("{}has other values of {}", polygons > 0 ? ", and " : "",
+                              varied == 1 ? "one number" : fmt::format("{} numbers", varied));
     std::string html = fmt::format(
-        "<p>{} of {} runs of one world, each with other values of {}. A probability here is the share of "
-        "these runs "
-        "under the distributions stated below. This is not a hazard assessment.</p>\n",
-        result.members.size(), spec.members,
-        spec.variables.size() == 1 ? "one number" : fmt::format("{} numbers", spec.variables.size()));
+        "<p>{} of {} runs of one world, of which each {}. A probability here is the share of these runs "
+        "under the "
+        "distributions stated below. This is not a hazard assessment.</p>\n",
+        result.members.size(), spec.members, differ);
     if (const auto faults = faults_in(result); faults > 0)
         html += fmt::format("<p class=\"bad\">{} of them could not run, and count nowhere.</p>\n", faults);
     if (const auto moving = unfinished_in(result); moving > 0)
@@ -63,6 +68,7 @@ std::string spread_html(const EnsembleResult& result) {
 }
 
 std::string variance_html(const EnsembleSpec& spec, const EnsembleResult& result) {
+    if (spec.variables.empty()) return "";
     std::string html = "<h2 id=\"variance\">What decides</h2>\n";
     const Table table = variance_table(spec, result);
     if (table.rows.empty())

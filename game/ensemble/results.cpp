@@ -35,6 +35,7 @@ std::string csv_text(const std::string& text) {
 
 std::string csv_of(const EnsembleSpec& spec, const EnsembleResult& result) {
     std::string text = "member";
+    if (!spec.scene.patches.empty()) text += ",polygon";
     for (const Variable& variable : spec.variables) text += fmt::format(",{}", variable.name());
     text += ",ended,seconds_s";
     for (const Told& told : kTold)
@@ -42,6 +43,7 @@ std::string csv_of(const EnsembleSpec& spec, const EnsembleResult& result) {
     text += ",state_hash,fault\n";
     for (const auto& [number, member] : result.members) {
         text += fmt::format("{}", number);
+        if (const auto patch = spec.patch_of(number)) text += fmt::format(",{}", *patch);
         for (const double value : member.sample) text += fmt::format(",{}", value);
         text += fmt::format(",{},{:.2f}", member.ended, member.seconds);
         for (const Told& told : kTold) text += fmt::format(",{:.2f}", member.*told.value);
@@ -94,6 +96,7 @@ Table spread_table(const EnsembleResult& result) {
 }
 
 std::optional<VarianceShares> variance_of(const EnsembleResult& result, double Member::*value) {
+    if (result.members.empty() || result.members.begin()->second.sample.empty()) return std::nullopt;
     std::vector<std::vector<double>> samples;
     for (const auto& [number, member] : result.members)
         if (member.fault.empty()) samples.push_back(member.sample);

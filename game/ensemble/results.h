@@ -17,8 +17,8 @@ namespace game {
 
 // Names of the files that write_results() writes, with * for any characters.
 inline const std::vector<std::string> kEnsembleNames{"members.csv",   "ensemble.json", "report.html",
-                                                     "probability_*", "percentile_*",  kJournalName,
-                                                     kCountsName};
+                                                     "probability_*", "areas_*",       "hardest_*",
+                                                     "percentile_*",  kJournalName,    kCountsName};
 
 // Writes what the members came to: members.csv; each map as GeoTIFF, in the coordinate system of the ground, and as a
 // picture; all of it as a page, report.html; ensemble.json. The bytes do not depend on how the members were played.

@@ -132,7 +132,7 @@ Outcome<Scene> read_world(TomlTable& root, const fs::path& folder, Overrides ove
         measured = *thickness == "normal" ? terrains::Thickness::kNormal : terrains::Thickness::kVertical;
     }
     if (root.has("scene")) {
-        for (const char* key : {"release", "thickness", "crs"})
+        for (const char* key : {"release", "thickness", "crs", "polygons"})
             if (root.has(key)) root.blame(key, "applies to a `terrain` alone");
         const std::string scene = root.text("scene").value_or("");
         const bool is_file = scene.find('.') != std::string::npos || scene.find('/') != std::string::npos;
@@ -149,7 +149,14 @@ Outcome<Scene> read_world(TomlTable& root, const fs::path& folder, Overrides ove
     const fs::path dem = file_named(root, "terrain", folder, overrides.references);
     const fs::path release = file_named(root, "release", folder, overrides.references);
     if (!root.has("release")) root.blame("", "needs a `release` beside its terrain");
-    return fault ? unusable(*fault) : scene_of_terrain(dem, ReleaseFile{release, measured}, overrides);
+    bool one_at_a_time = false;
+    if (const auto polygons = root.text("polygons")) {
+        one_at_a_time = *polygons == "one at a time";
+        if (!one_at_a_time && *polygons != "together")
+            root.blame("polygons", "is neither \"together\" nor \"one at a time\"");
+    }
+    return fault ? unusable(*fault)
+                 : scene_of_terrain(dem, ReleaseFile{release, measured, one_at_a_time}, overrides);
 }
 
 std::string identity_of(const EnsembleSpec& spec) {
@@ -163,6 +170,10 @@ std::string identity_of(const EnsembleSpec& spec) {
     for (const Variable& each : spec.variables)
         text += fmt::format("; {} {} {}", each.name(), static_cast<int>(each.distribution.kind),
                             fmt::join(each.distribution.numbers, " "));
+    if (!spec.scene.patches.empty()) text += "; one at a time";
+    for (const auto& [release, params] : spec.scene.patches)
+        text += fmt::format("; {} {} {}", release.vertices.size(),
+                            release.vertices.empty() ? 0 : release.vertices.front(), release.volume);
     for (const Threshold& each : spec.maps.thresholds)
         text += fmt::format("; {} {}", info_of(each.of).name, each.least);
     for (const Mapped each : spec.maps.spread()) text += fmt::format("; spread of {}", info_of(each).name);
@@ -199,8 +210,23 @@ std::vector<double> EnsembleSpec::sample(std::int64_t member) const {
     return values;
 }
 
-Outcome<Scenario> EnsembleSpec::scenario_of(const std::vector<double>& sample) const {
+std::optional<std::size_t> EnsembleSpec::patch_of(std::int64_t member) const {
+    if (scene.patches.empty()) return std::nullopt;
+    return static_cast<std::size_t>(member - 1) % scene.patches.size() + 1;
+}
+
+Outcome<Scenario> EnsembleSpec::scenario_of(std::int64_t member) const {
     Scenario scenario = scene.scenario;
+    if (const auto number = patch_of(member)) {
+        const auto& [release, params] = scene.patches[*number - 1];
+        if (release.vertices.empty())
+            return unusable(fmt::format("polygon {} of its release covers no ground", *number));
+        scenario.params = params;
+        std::ranges::fill(scenario.rolling, 0.f);
+        for (std::size_t i = 0; i < release.vertices.size(); ++i)
+            scenario.rolling[release.vertices[i]] = release.thickness[i];
+    }
+    const std::vector<double> sample = this->sample(member);
     for (std::size_t i = 0; i < variables.size(); ++i) switch (variables[i].of) {
             case Variable::Of::kParameter:
                 scenario.params.*variables[i].param->value = static_cast<float>(sample[i]);
@@ -228,7 +254,6 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     spec.file = file;
     spec.title = root.text("title").value_or(file.stem().string());
     spec.members = root.whole("members", 1, EnsembleSpec::kMostMembers).value_or(0);
-    if (!root.has("members")) root.blame("", "needs `members`: how many runs");
     constexpr std::int64_t kGreatestSeed = 1'000'000'000;
     spec.seed = root.whole("seed", 0, kGreatestSeed).value_or(spec.seed);
     spec.seconds = root.number("seconds", 1, 86'400).value_or(spec.seconds);
@@ -237,6 +262,12 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     if (fault) return unusable(*fault);
     if (!scene) return tl::unexpected(scene.error());
     spec.scene = std::move(*scene);
+    if (!spec.scene.patches.empty() && !root.has("members"))
+        spec.members = static_cast<std::int64_t>(spec.scene.patches.size());  // each once
+    if (spec.members == 0) root.blame("", "needs `members`: how many runs");
+    if (spec.members > EnsembleSpec::kMostMembers)
+        root.blame("release", fmt::format("has {} polygons; at most {} can be released one at a time",
+                                          spec.members, EnsembleSpec::kMostMembers));
     spec.scene.scenario.goal.reset();
     if (spec.scene.scenario.flow) root.blame("scene", "is a flow demo, which has no avalanche");
     for (TomlTable& table : root.tables("variable")) {
@@ -252,7 +283,8 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
         if (fault) return unusable(*fault);
     }
     root.finish();
-    if (spec.variables.empty()) root.blame("", "needs at least one [[variable]]");
+    if (spec.variables.empty() && spec.scene.patches.empty())
+        root.blame("", "needs at least one [[variable]], or polygons released one at a time");
     if (spec.variables.size() > static_cast<std::size_t>(kMostSobolDimensions))
         root.blame("", fmt::format("has {} variables; at most {} are allowed", spec.variables.size(),
                                    kMostSobolDimensions));
@@ -265,6 +297,8 @@ Outcome<EnsembleSpec> read_ensemble_spec(const fs::path& file, const Overrides& 
     if (fault) return unusable(*fault);
     if (spec.maps.thresholds.empty() && spec.maps.percentiles.empty())
         spec.maps.thresholds = {{Mapped::kThickness, 0.1}};
+    if (!spec.scene.patches.empty())
+        spec.maps.hardest = densities_of(spec.scene.scenario) ? Mapped::kPressure : Mapped::kSpeed;
     spec.identity = identity_of(spec);
     return spec;
 }

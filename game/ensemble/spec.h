@@ -60,6 +60,8 @@ struct Maps {
     static constexpr std::size_t kMostThresholds = 16, kMostPercentiles = 16;
     std::vector<Threshold> thresholds;
     std::vector<Percentile> percentiles;
+    // By which the member that was hardest to a place is found: of members that release different polygons.
+    std::optional<Mapped> hardest = std::nullopt;
 
     // The quantities that have percentiles, each once.
     std::vector<Mapped> spread() const;
@@ -83,8 +85,10 @@ struct EnsembleSpec {
 
     // The values of a member's variables. They follow from the seed and its number alone.
     std::vector<double> sample(std::int64_t member) const;
-    // The world of a member. Errors: its parameters do not go together, or its release is too thick.
-    Outcome<Scenario> scenario_of(const std::vector<double>& sample) const;
+    // The polygon of the release that a member releases, from 1, if each releases one in turn.
+    std::optional<std::size_t> patch_of(std::int64_t member) const;
+    // The world of a member. Errors: its parameters do not go together, or its release is too thick or beside the ground.
+    Outcome<Scenario> scenario_of(std::int64_t member) const;
 };
 
 // Errors: those of load_scene() and scene_of_terrain(); damage, with file and line.

@@ -50,7 +50,8 @@ VertexCounts::VertexCounts(const Scenario& scenario, Maps maps)
       maps_(std::move(maps)),
       spread_(maps_.spread()),
       counts_(maps_.thresholds.size() * scenario.grid.size()),
-      histograms_(spread_.size() * scenario.grid.size()) {
+      histograms_(spread_.size() * scenario.grid.size()),
+      hardest_(maps_.hardest ? scenario.grid.size() : 0) {
     CHECK(maps_.thresholds.size() <= Maps::kMostThresholds);
 }
 
@@ -87,11 +88,14 @@ Marks VertexCounts::marks(const Peaks& peaks) const {
             if (static_cast<double>(peak(maps_.thresholds[t].of, i)) >= maps_.thresholds[t].least)
                 passed = static_cast<std::uint16_t>(passed | (1u << t));
         for (std::size_t q = 0; q < bins.size(); ++q) bins[q] = bin(spread_[q], i);
-        if (passed == 0 && std::ranges::all_of(bins, [](std::uint16_t each) { return each == kNoBin; }))
+        const float hardness = maps_.hardest ? peak(*maps_.hardest, i) : 0;
+        if (passed == 0 && hardness == 0 &&
+            std::ranges::all_of(bins, [](std::uint16_t each) { return each == kNoBin; }))
             continue;
         marks.vertices.push_back(static_cast<std::uint32_t>(i));
         marks.passed.push_back(passed);
         marks.bins.insert(marks.bins.end(), bins.begin(), bins.end());
+        if (maps_.hardest) marks.hardness.push_back(hardness);
     }
     return marks;
 }
@@ -99,6 +103,8 @@ Marks VertexCounts::marks(const Peaks& peaks) const {
 bool VertexCounts::can_count(const Marks& marks) const {
     return marks.passed.size() == marks.vertices.size() &&
            marks.bins.size() == marks.vertices.size() * spread_.size() &&
+           marks.hardness.size() == (maps_.hardest ? marks.vertices.size() : 0) &&
+           std::ranges::all_of(marks.hardness, [](float each) { return each >= 0 && std::isfinite(each); }) &&
            std::ranges::adjacent_find(marks.vertices, std::greater_equal<>()) == marks.vertices.end() &&
            (marks.vertices.empty() || marks.vertices.back() < scenario_.grid.size()) &&
            std::ranges::all_of(marks.passed,
@@ -116,6 +122,12 @@ void VertexCounts::add(std::int64_t member, const Marks& marks) {
         const std::size_t vertex = marks.vertices[m];
         for (std::size_t t = 0; t < maps_.thresholds.size(); ++t)
             counts_[t * size + vertex] += (marks.passed[m] >> t) & 1u;
+        if (maps_.hardest) {
+            const Hardest here{marks.hardness[m], static_cast<std::uint32_t>(member)};
+            Hardest& so_far = hardest_[vertex];
+            if (here.value > so_far.value || (here.value == so_far.value && here.member < so_far.member))
+                so_far = here;
+        }
         for (std::size_t q = 0; q < spread_.size(); ++q) {
             const std::uint16_t bin = marks.bins[m * spread_.size() + q];
             if (bin == kNoBin) continue;
@@ -176,7 +188,13 @@ std::vector<float> VertexCounts::percentile(const Percentile& percentile) const 
     return values;
 }
 
-// Head, done_, counts_, then of each vertex and quantity that was reached: its place in histograms_, how many bins, bins.
+std::vector<std::int64_t> VertexCounts::hardest() const {
+    std::vector<std::int64_t> members;
+    for (const Hardest& each : hardest_) members.push_back(each.member);
+    return members;
+}
+
+// Head, done_, counts_, hardest_, then of each vertex and quantity that was reached: its place in histograms_, how many bins, bins.
 std::string VertexCounts::bytes(const std::string& identity) const {
     CHECK(identity.size() == kHashDigits);
     std::string bytes(kCountsMagic);
@@ -184,6 +202,8 @@ std::string VertexCounts::bytes(const std::string& identity) const {
     put(static_cast<std::uint64_t>(done_.size()), bytes);
     bytes.append(done_.begin(), done_.end());
     for (const std::uint32_t count : counts_) put(count, bytes);
+    for (const Hardest& each : hardest_)
+        put(std::bit_cast<std::uint32_t>(each.value), bytes), put(each.member, bytes);
     for (std::size_t i = 0; i < histograms_.size(); ++i) {
         if (histograms_[i].empty()) continue;
         put(static_cast<std::uint64_t>(i), bytes);
@@ -197,7 +217,7 @@ std::uintmax_t VertexCounts::most_bytes() const {
     constexpr std::uintmax_t kHead = kCountsMagic.size() + 2 * kHashDigits + 8,
                              kHistogram = 8 + 2 + 6 * kBins;
     return kHead + static_cast<std::uintmax_t>(EnsembleSpec::kMostMembers) + 1 + 4 * counts_.size() +
-           kHistogram * histograms_.size();
+           8 * hardest_.size() + kHistogram * histograms_.size();
 }
 
 tl::expected<void, std::string> VertexCounts::take(std::string_view bytes, const std::string& identity) {
@@ -223,6 +243,12 @@ tl::expected<void, std::string> VertexCounts::take(std::string_view bytes, const
         count = taker.next<std::uint32_t>();
         if (count > read.members_) return unfit();
     }
+    for (Hardest& each : read.hardest_) {
+        each.value = std::bit_cast<float>(taker.next<std::uint32_t>());
+        each.member = taker.next<std::uint32_t>();
+        if (!(each.value >= 0) || !std::isfinite(each.value) || (each.member != 0 && !read.has(each.member)))
+            return unfit();
+    }
     std::size_t next = 0;
     while (taker.left() > 0) {
         const auto at = taker.next<std::uint64_t>();
@@ -243,6 +269,7 @@ tl::expected<void, std::string> VertexCounts::take(std::string_view bytes, const
     if (taker.has_failed()) return unfit();
     done_ = std::move(read.done_), members_ = read.members_;
     counts_ = std::move(read.counts_), histograms_ = std::move(read.histograms_);
+    hardest_ = std::move(read.hardest_);
     return {};
 }
 

@@ -18,6 +18,7 @@ struct Marks {
     std::vector<std::uint32_t> vertices;  // ascending
     std::vector<std::uint16_t> passed;    // of each vertex: bit i is threshold i
     std::vector<std::uint16_t> bins;      // of each vertex, of each quantity of Maps::spread() in turn
+    std::vector<float> hardness;          // of each vertex, if Maps::hardest
     bool operator==(const Marks&) const = default;
 };
 
@@ -45,6 +46,9 @@ class VertexCounts {
     // wide, in which values are taken as even: within 3 % of the exact one.
     std::vector<float> percentile(const Percentile& percentile) const;
 
+    // The member that was hardest to each vertex, the first of equals, or 0. If Maps::hardest.
+    std::vector<std::int64_t> hardest() const;
+
     // All of it, and back. Errors: a fact, of bytes that are not those of the counts of this world and these maps.
     std::string bytes(const std::string& identity) const;
     std::uintmax_t most_bytes() const;
@@ -57,6 +61,11 @@ class VertexCounts {
     };
     using Histogram = std::vector<Bin>;  // ascending, none empty
 
+    struct Hardest {
+        float value = 0;
+        std::uint32_t member = 0;
+    };
+
     static std::size_t index(std::int64_t member) { return static_cast<std::size_t>(member); }
     bool has_ground(std::size_t vertex) const;
     const Scenario& scenario_;
@@ -64,6 +73,7 @@ class VertexCounts {
     std::vector<Mapped> spread_;         // of maps_
     std::vector<std::uint32_t> counts_;  // of each threshold, grid.size() each
     std::vector<Histogram> histograms_;  // of each quantity of spread_, grid.size() each
+    std::vector<Hardest> hardest_;       // grid.size(), or none
     std::vector<std::uint8_t> done_;     // by number of member: 1 if counted
     std::int64_t members_ = 0;
 };

@@ -470,6 +470,15 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     const auto params = params_of(*material, overrides, released, scene).and_then(chosen);
     if (!params) return tl::unexpected(params.error());
     scene.scenario.params = *params;
+    if (!release || !release->one_at_a_time) return scene;
+    auto patches = terrains::read_release_patches(release->path, *terrain, release->measured);
+    if (!patches) return unusable(patches.error());
+    for (terrains::ReleasePatch& patch : *patches) {
+        Scene own;  // only its class is of use, which is among its parameters
+        const auto of_patch = params_of(*material, overrides, patch.volume, own).and_then(chosen);
+        if (!of_patch) return tl::unexpected(of_patch.error());
+        scene.patches.push_back({std::move(patch), *of_patch});
+    }
     return scene;
 }
 

@@ -43,6 +43,12 @@ struct Scene {
     std::vector<std::filesystem::path> files = {};  // that it was read from, sources of a VRT included
     // Of a real hill: what the file of its release states and where it went. Its thickness is in the scenario.
     std::optional<terrains::Release> release = std::nullopt;
+    // If they are to be released one at a time: its polygons in the order of the file, and the parameters of the class of each.
+    struct Patch {
+        terrains::ReleasePatch release;
+        sim::Params params;
+    };
+    std::vector<Patch> patches = {};
     // The class whose friction the material has, and the volume that it was chosen by: none if a person chose it.
     struct Size {
         std::string name;
@@ -62,6 +68,7 @@ inline constexpr float kDeepestRelease = sim::kDeepest / 2;  // m
 struct ReleaseFile {
     std::filesystem::path path;
     std::optional<terrains::Thickness> measured;
+    bool one_at_a_time = false;  // its polygons are Scene::patches too
 };
 
 // A scene of a real hill: a DEM, a material (default snow-dry), no cover, borders and no-data as sinks, and

@@ -221,6 +221,82 @@ TEST_F(Ensemble, keeps_whole_lines_on_a_full_disk_and_goes_on_from_them) {
     EXPECT_EQ(results(eight, "full", 2), all);
 }
 
+// A slope of 25° on which two squares may be released, and one that lies far away.
+class Region : public Ensemble {
+  protected:
+    void SetUp() override {
+        std::string heights = "ncols 41\nnrows 41\nxllcorner 680000\nyllcorner 5240000\ncellsize 10\n";
+        for (int row = 0; row < 41; ++row)
+            for (int column = 0; column < 41; ++column)
+                heights += fmt::format("{} ", 2000 - 4.7 * row + 0.01 * column * (column % 3));
+        EXPECT_TRUE(write_text(at("hill.asc"), heights));
+        const auto square = [](double x, double y, double thickness) {
+            const double e = 11.38 + x, n = 47.2885 + y, w = 0.0008, h = 0.0006;
+            return fmt::format(
+                R"({{"type":"Feature","properties":{{"thickness":{}}},"geometry":{{"type":"Polygon","coordinates":[[[{},{}],[{},{}],[{},{}],[{},{}],[{},{}]]]}}}})",
+                thickness, e, n, e + w, n, e + w, n + h, e, n + h, e, n);
+        };
+        EXPECT_TRUE(write_text(at("areas.geojson"),
+                               R"({"type":"FeatureCollection","features":[)" + square(0.0015, 0.002, 1) +
+                                   "," + square(0.0035, 0.002, 2) + "," + square(1, 0.002, 1) + "]}"));
+    }
+    Outcome<EnsembleSpec> region(const std::string& lines = "") {
+        EXPECT_TRUE(write_text(at("region.toml"),
+                               "terrain = \"hill.asc\"\ncrs = \"EPSG:32632\"\nrelease = \"areas.geojson\"\n"
+                               "polygons = \"one at a time\"\ngrid = 40\nseconds = 40\n" +
+                                   lines + "[[map]]\nof = \"thickness\"\nover = [0.1]\n"));
+        return read_ensemble_spec(at("region.toml"), {});
+    }
+};
+
+TEST_F(Region, releases_its_polygons_in_turn_and_tells_which_is_hardest) {
+    const auto each = region();
+    ASSERT_TRUE(each) << each.error().sentence;
+    EXPECT_EQ(each->members, 3);
+    const auto all = results(*each, "each", 1);
+    EXPECT_TRUE(all.contains("areas_thickness_over_0.1.tif") && all.contains("hardest_polygon.tif"));
+    EXPECT_NE(all.at("members.csv").find("polygon 3 of its release covers no ground"), std::string::npos);
+    EXPECT_EQ(results(*each, "again", 2), all);
+
+    const auto result = run_ensemble(*each, at("each"), 1);
+    ASSERT_TRUE(result);
+    const std::vector<std::int64_t> hardest = result->counts.hardest();
+    const std::vector<float> share = result->counts.probability(0);
+    for (const int member : {1, 2}) {
+        EXPECT_GT(result->members.at(member).released, 2000) << member;
+        const terrains::ReleasePatch& release =
+            each->scene.patches[static_cast<std::size_t>(member) - 1].release;
+        for (std::size_t i = 0; i < release.vertices.size(); ++i) {
+            if (release.thickness[i] < 0.5f) continue;  // its edge
+            EXPECT_EQ(hardest[release.vertices[i]], member);
+            EXPECT_GE(share[release.vertices[i]], 0.5f);
+        }
+    }
+    EXPECT_GT(result->members.at(2).released, 1.5 * result->members.at(1).released);
+    EXPECT_EQ(*std::ranges::max_element(hardest), 2) << "of the polygons that could be released";
+
+    // Twice each, with other numbers; the polygon follows from the number of the run.
+    const auto twice = region("members = 6\n[[variable]]\nof = \"friction\"\nuniform = [0.2, 0.3]\n");
+    ASSERT_TRUE(twice);
+    EXPECT_NE(twice->identity, each->identity);
+    EXPECT_EQ(twice->patch_of(5), 2u);
+    const auto fifth = twice->scenario_of(5), second = each->scenario_of(2);
+    ASSERT_TRUE(fifth && second);
+    EXPECT_EQ(fifth->rolling, second->rolling);
+    EXPECT_EQ(fifth->params.friction, static_cast<float>(twice->sample(5)[0]));
+}
+
+TEST_F(Region, has_polygons_that_add_up_to_all_released_together) {
+    const auto each = region();
+    ASSERT_TRUE(each);
+    std::vector<float> sum(each->scene.scenario.grid.size());
+    for (const auto& [release, params] : each->scene.patches)
+        for (std::size_t i = 0; i < release.vertices.size(); ++i)
+            sum[release.vertices[i]] += release.thickness[i];
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        EXPECT_NEAR(sum[i], each->scene.scenario.rolling[i], 1e-5) << "they do not overlap";
+}
+
 TEST_F(Ensemble, tells_members_that_cannot_run_and_counts_the_others) {
     const fs::path file = at("steep.toml");
     ASSERT_TRUE(write_text(file,

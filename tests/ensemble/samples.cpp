@@ -131,9 +131,9 @@ TEST_F(SpecFile, gives_a_member_the_same_sample_whatever_their_number) {
     EXPECT_NE(few->identity, other->identity);
     for (int member = 1; member <= 5; ++member) EXPECT_EQ(few->sample(member), many->sample(member));
     EXPECT_NE(few->sample(3), other->sample(3));
-    const auto world = few->scenario_of({0.25});
+    const auto world = few->scenario_of(3);
     ASSERT_TRUE(world);
-    EXPECT_EQ(world->params.friction, 0.25f);
+    EXPECT_EQ(world->params.friction, static_cast<float>(few->sample(3)[0]));
 }
 
 TEST_F(SpecFile, has_an_identity_that_changes_with_all_that_changes_results) {
@@ -157,12 +157,14 @@ TEST_F(SpecFile, is_refused_with_line_and_fact) {
     const std::string five = "members = 5\n";
     EXPECT_EQ(refused(kFriction), "1: needs `members`: how many runs");
     EXPECT_EQ(refused("members = 1000000000\n"), "3: members is 1000000000, outside 1 to 100000");
-    EXPECT_EQ(refused(five), "1: needs at least one [[variable]]");
+    EXPECT_EQ(refused(five), "1: needs at least one [[variable]], or polygons released one at a time");
     EXPECT_EQ(refused(five + kFriction + kFriction), "8: variable.of is friction a second time");
     EXPECT_EQ(refused(five + "sed = 3\n" + kFriction), "4: sed is not a known key");
     EXPECT_EQ(refused(five + "terrain = \"hill.tif\"\n" + kFriction), "1: needs either `scene` or `terrain`");
     EXPECT_EQ(refused(five + "release = \"release.geojson\"\n" + kFriction),
               "4: release applies to a `terrain` alone");
+    EXPECT_EQ(refused(five + "polygons = \"one at a time\"\n" + kFriction),
+              "4: polygons applies to a `terrain` alone");
     const auto variable = [&](const std::string& lines) { return refused(five + "[[variable]]\n" + lines); };
     EXPECT_EQ(variable("of = \"colour\"\nuniform = [0, 1]\n"),
               "5: variable.of is neither release, density nor a parameter that can be set");
