@@ -209,7 +209,8 @@ struct Cut {
 };
 
 Cut cut_of(const std::vector<Cell>& cells, std::span<const float> surface, const glm::dvec2& fall) {
-    const glm::dvec2 down = glm::normalize(fall), across(-down.y, down.x);
+    const double length = glm::length(fall);
+    const glm::dvec2 down = length > 0 ? fall / length : glm::dvec2(0, -1), across(-down.y, down.x);
     // Heights above the plane of the area, whose slope is down its fall line, by place across it.
     glm::dvec3 mean(0);
     for (const Cell& cell : cells) mean += glm::dvec3(cell.x, cell.y, surface[cell.vertex]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -140,26 +141,29 @@ void MapPage::coordinates() {
     constexpr float kTick = 5;
     constexpr double kBetween = 170;  // px, about
     const double step = round_step(kBetween * dx / static_cast<double>(relief_.pixels_per_cell()));
-    const auto first = [&](double from) { return std::ceil(from / step) * step; };
+    // Calls mark(place) for each multiple of the step from one place to another.
+    const auto each_step = [step](double from, double to, const auto& mark) {
+        for (auto i = static_cast<std::int64_t>(std::ceil(from / step)); static_cast<double>(i) * step <= to;
+             ++i)
+            mark(static_cast<double>(i) * step);
+    };
     const glm::vec2 low = relief_.cells(corner + glm::vec2(0, size.y)),
                     high = relief_.cells(corner + glm::vec2(size.x, 0));
-    const double west = place.origin_x() + static_cast<double>(low.x) * dx,
-                 east = place.origin_x() + static_cast<double>(high.x) * dx;
-    const double south = place.origin_y() + static_cast<double>(low.y) * dx,
-                 north = place.origin_y() + static_cast<double>(high.y) * dx;
-    for (double at = first(west); at <= east; at += step) {
+    const auto east = [&](float cells) { return place.origin_x() + static_cast<double>(cells) * dx; };
+    const auto north = [&](float cells) { return place.origin_y() + static_cast<double>(cells) * dx; };
+    each_step(east(low.x), east(high.x), [&](double at) {
         const float x = relief_.place({static_cast<float>((at - place.origin_x()) / dx), 0}).x,
                     y = corner.y + size.y;
         sheet_.line({x, y - kTick}, {x, y + 2}, 1.2f, kDim);
         const std::string text = fmt::format("{:.0f}", at);
         small_.write(sheet_, {x - small_.width(text) / 2, y + 4}, text, kDim);
-    }
-    for (double at = first(south); at <= north; at += step) {
+    });
+    each_step(north(low.y), north(high.y), [&](double at) {
         const float y = relief_.place({0, static_cast<float>((at - place.origin_y()) / dx)}).y;
         sheet_.line({corner.x - 2, y}, {corner.x + kTick, y}, 1.2f, kDim);
         const std::string text = fmt::format("{:.0f}", at);
         small_.write(sheet_, {corner.x - 6 - small_.width(text), y - small_.height() / 2}, text, kDim);
-    }
+    });
 }
 
 void MapPage::scale_bar() {

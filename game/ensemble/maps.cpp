@@ -86,7 +86,8 @@ std::vector<Class> classes_of_arrival(const EnsembleMap& map) {
     int step = 0;
     while (round_number(step) * kMostClasses < most) ++step;
     std::vector<float> bounds;
-    for (float bound = 0; bound <= most; bound += round_number(step)) bounds.push_back(bound);
+    for (int i = 0; static_cast<float>(i) * round_number(step) <= most; ++i)
+        bounds.push_back(static_cast<float>(i) * round_number(step));
     return classes_from(bounds, false, map.unit);
 }
 
@@ -227,12 +228,30 @@ void draw_polygons(const EnsembleMap& map, const EnsembleSpec& spec, MapPage& pa
     page.relief().outline(page.sheet(), inside, 0.5f, 1, 0, {20, 20, 24});
 }
 
+// The classes of a field, with the outline of one half of a probability. `shown`: 1 where it has a value of a class.
+void draw_field(const EnsembleMap& map, const std::vector<Class>& classes, const std::vector<float>& shown,
+                const sim::Grid& grid, MapPage& page) {
+    const std::vector<float> values = filled(grid, map.values);
+    page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
+        Relief::Tint tint;
+        // Nothing between an early arrival and none.
+        if (map.kind == EnsembleMap::Kind::kArrival && between(grid, shown, cells) < 0.5f) return tint;
+        const float value = between(grid, values, cells);
+        for (const Class& each : classes)
+            if (value >= each.least) tint = {each.colour, 0.82f};
+        return tint;
+    });
+    if (map.kind == EnsembleMap::Kind::kProbability)
+        page.relief().outline(page.sheet(), values, 0.5f, 1.4f, 0, {20, 20, 24});
+}
+
 void tell_polygons(const EnsembleMap& map, const EnsembleSpec& spec, MapPage& page) {
     std::map<int, std::size_t> cells;
     std::size_t all = 0;
     for (const float value : map.values)
         if (!std::isnan(value)) ++cells[static_cast<int>(value)], ++all;
     std::vector<std::pair<std::size_t, int>> order;
+    order.reserve(cells.size());
     for (const auto& [number, many] : cells) order.emplace_back(many, number);
     std::ranges::sort(order, [](const auto& a, const auto& b) {
         return std::pair(b.first, a.second) < std::pair(a.first, b.second);
@@ -254,23 +273,13 @@ render::Picture picture_of(const EnsembleMap& map, const EnsembleSpec& spec, con
     const float least = classes.front().least;
     std::vector<float> shown(map.values.size());  // 1 where there is a value of a class
     for (std::size_t i = 0; i < shown.size(); ++i) shown[i] = map.values[i] >= least ? 1 : 0;
-    const std::vector<float> values = filled(scenario.grid, map.values);
-    const bool is_probability = map.kind == EnsembleMap::Kind::kProbability;
     MapPage page(scenario, frame_around(scenario.grid, [&](std::size_t i) { return shown[i] > 0; }));
+    const bool is_probability = map.kind == EnsembleMap::Kind::kProbability;
     const bool is_polygon = map.kind == EnsembleMap::Kind::kPolygon;
     if (is_polygon)
         draw_polygons(map, spec, page);
     else
-        page.relief().draw(page.sheet(), [&](glm::vec2 cells) {
-            Relief::Tint tint;
-            if (map.kind == EnsembleMap::Kind::kArrival && between(scenario.grid, shown, cells) < 0.5f)
-                return tint;
-            const float value = between(scenario.grid, values, cells);
-            for (const Class& each : classes)
-                if (value >= each.least) tint = {each.colour, 0.82f};
-            return tint;
-        });
-    if (is_probability) page.relief().outline(page.sheet(), values, 0.5f, 1.4f, 0, {20, 20, 24});
+        draw_field(map, classes, shown, scenario.grid, page);
     page.title(map.title);
     page.say(fmt::format("{}: {} members", spec.title, result.counts.members()));
     page.skip(12);

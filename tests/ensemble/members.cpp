@@ -37,7 +37,7 @@ class Ensemble : public SmallEnsemble {
 TEST_F(Ensemble, has_the_same_results_on_any_number_of_threads_and_after_any_end) {
     const EnsembleSpec eight = spec();
     const auto alone = results(eight, "alone", 1);
-    ASSERT_EQ(alone.size(), 16u);  // members.csv, ensemble.json, report.html, counts.bin, and six maps twice
+    ASSERT_EQ(alone.size(), 12u);  // members.csv, ensemble.json, report.html, counts.bin, and four maps twice
     EXPECT_EQ(results(eight, "together", 3), alone);
 
     // A process that was killed: some members are in the journal, one of them in part, and none in the counts.

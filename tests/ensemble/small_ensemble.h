@@ -23,7 +23,7 @@ class SmallEnsemble : public testing::Test {
         "[[variable]]\nof = \"friction\"\nuniform = [0.1, 0.4]\n"
         "[[variable]]\nof = \"drag\"\nlist = [200, 1000]\n"
         "[[map]]\nof = \"thickness\"\nover = [0.1, 1]\n"
-        "[[map]]\nof = \"speed\"\nover = [5]\npercentiles = [50, 90]\n"
+        "[[map]]\nof = \"speed\"\npercentiles = [90]\n"
         "[[map]]\nof = \"arrival\"\npercentiles = [50]\n";
 
     std::filesystem::path spec_file(int members) {
