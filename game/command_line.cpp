@@ -184,6 +184,14 @@ void add_grid(CLI::App& app, Overrides& overrides) {
                "set the resolution along the longer side (default: the scene's own)");
 }
 
+CLI::Option* add_crs(CLI::App& app, Overrides& overrides) {
+    return app
+        .add_option("--crs", overrides.crs,
+                    "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
+                    "system in metres")
+        ->type_name("SYSTEM");
+}
+
 void add_references(CLI::App& app, Overrides& overrides) {
     app.add_flag_callback(
         "--allow-references", [&overrides] { overrides.references = terrains::References::kAllowed; },
@@ -373,11 +381,7 @@ void add_run(CLI::App& app, RunOptions& options) {
                  "exit with 0 even if over 1 % of the release is lost: outside the grid, where the terrain "
                  "has no data, "
                  "or where polygons overlap");
-    app.add_option("--crs", options.overrides.crs,
-                   "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
-                   "system in metres")
-        ->type_name("SYSTEM")
-        ->needs(terrain);
+    add_crs(app, options.overrides)->needs(terrain);
     app.add_option("--reference", options.reference,
                    "compare with observations: a GeoJSON extent, or a raster of the change of height; the "
                    "summary reports the overlap, and for a raster the transport distance")
@@ -518,10 +522,7 @@ void add_release(CLI::App& app, ReleaseOptions& options) {
                "greatest area in plan: larger ones are cut at ribs", "100000");
     add_number(app, "--thickness", "NUMBER", options.thickness, Range<double>{0.01, 10},
                "thickness normal to the slope, for volumes and for `run`", "1");
-    app.add_option("--crs", options.overrides.crs,
-                   "coordinate system of a DEM that names none: EPSG:31287, EPSG:31287+5778, or WKT of a "
-                   "system in metres")
-        ->type_name("SYSTEM");
+    add_crs(app, options.overrides);
     add_number(app, "--grid", "N", options.overrides.squares, kSquares, "squares along the longer side",
                "the DEM's own");
     app.add_flag("--json", options.json, "print the areas as JSON");

@@ -11,6 +11,32 @@
 #include "terrains/well_known_text.h"
 
 namespace terrains {
+
+std::vector<int> patches_of(const sim::Grid& grid, std::span<const int> sign) {
+    const auto nx = static_cast<std::size_t>(grid.nx);
+    std::vector<int> patch(grid.size());
+    std::vector<std::size_t> open;
+    int count = 0;
+    for (std::size_t first = 0; first < patch.size(); ++first) {
+        if (sign[first] < 0 || patch[first] != 0) continue;
+        const auto take = [&](std::size_t vertex) {
+            if (patch[vertex] != 0 || sign[vertex] != sign[first]) return;
+            patch[vertex] = count;
+            open.push_back(vertex);
+        };
+        ++count;
+        for (take(first); !open.empty();) {
+            const std::size_t here = open.back(), x = here % nx;
+            open.pop_back();
+            if (x > 0) take(here - 1);
+            if (x + 1 < nx) take(here + 1);
+            if (here >= nx) take(here - nx);
+            if (here + nx < patch.size()) take(here + nx);
+        }
+    }
+    return patch;
+}
+
 namespace {
 
 // Corners of cells: corner (x, y) is the south-west corner of the cell of vertex (x, y).
@@ -19,29 +45,6 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 using Ring = std::vector<Corner>;  // closed: the first corner again at the end
-
-// The number, from 1, of the patch of cells of a mask, joined by their sides, that each vertex is in, or 0.
-std::vector<int> patches_of(const sim::Grid& grid, std::span<const std::uint8_t> mask) {
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * grid.nx + x; };
-    std::vector<int> patch(grid.size());
-    std::vector<std::size_t> open;
-    int count = 0;
-    for (std::size_t first = 0; first < patch.size(); ++first) {
-        if (mask[first] == 0 || patch[first] != 0) continue;
-        patch[first] = ++count;
-        for (open.push_back(first); !open.empty();) {
-            const int x = static_cast<int>(open.back() % grid.nx),
-                      y = static_cast<int>(open.back() / grid.nx);
-            open.pop_back();
-            for (const auto& [i, j] : {std::pair{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}) {
-                if (!grid.contains(i, j) || mask[at(i, j)] == 0 || patch[at(i, j)] != 0) continue;
-                patch[at(i, j)] = count;
-                open.push_back(at(i, j));
-            }
-        }
-    }
-    return patch;
-}
 
 class Patches {
   public:
@@ -163,7 +166,9 @@ tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const 
 
 tl::expected<std::string, std::string> outlines_of(const sim::Grid& grid, const Georeference& georeference,
                                                    std::span<const std::uint8_t> mask) {
-    return outlines_of(grid, georeference, patches_of(grid, mask), {});
+    std::vector<int> sign;
+    for (const std::uint8_t each : mask) sign.push_back(each != 0 ? 0 : -1);
+    return outlines_of(grid, georeference, patches_of(grid, sign), {});
 }
 
 }  // namespace terrains

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -17,6 +18,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "terrains/outlines.h"
 
 namespace terrains {
 namespace {
@@ -92,8 +95,10 @@ double favour_of(double slope, double ruggedness) {
 class Pieces {
   public:
     Pieces(const sim::Grid& grid, const std::vector<int>& sign, const std::vector<glm::dvec2>& fall)
-        : grid_(&grid), piece_(sign.size(), -1) {
-        label(sign);
+        : grid_(&grid), piece_(patches_of(grid, sign)) {
+        joined_.resize(static_cast<std::size_t>(std::ranges::max(piece_)));
+        for (int& piece : piece_) --piece;  // from 0, and -1 for none
+        std::iota(joined_.begin(), joined_.end(), 0);
         count(fall);
     }
     // Joins pieces smaller than so many cells, the smallest first.
@@ -118,7 +123,6 @@ class Pieces {
         if (vertex >= nx) see(vertex - nx);
         if (vertex + nx < piece_.size()) see(vertex + nx);
     }
-    void label(const std::vector<int>& sign);
     void count(const std::vector<glm::dvec2>& fall);
 
     const sim::Grid* grid_;
@@ -128,25 +132,6 @@ class Pieces {
     std::vector<glm::dvec2> fall_;            // sum of directions down the slope
     std::vector<std::map<int, int>> border_;  // how many sides of cells it shares with which
 };
-
-void Pieces::label(const std::vector<int>& sign) {
-    std::vector<std::size_t> open;
-    for (std::size_t first = 0; first < piece_.size(); ++first) {
-        if (sign[first] < 0 || piece_[first] >= 0) continue;
-        const int piece = static_cast<int>(joined_.size());
-        joined_.push_back(piece);
-        piece_[first] = piece;
-        for (open.push_back(first); !open.empty();) {
-            const std::size_t here = open.back();
-            open.pop_back();
-            beside(here, [&](std::size_t other) {
-                if (piece_[other] >= 0 || sign[other] != sign[first]) return;
-                piece_[other] = piece;
-                open.push_back(other);
-            });
-        }
-    }
-}
 
 void Pieces::count(const std::vector<glm::dvec2>& fall) {
     cells_.resize(joined_.size());

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/measures.h"
 #include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/compare/map_page.h"
@@ -113,10 +114,7 @@ glm::vec3 colour_of(double aspect) {
 // Lines between neighbours of different numbers.
 void draw_borders(const ReleaseAreas& found, const sim::Grid& grid, MapPage& page) {
     const glm::vec3 kLine{40, 32, 30};
-    const auto number = [&](int x, int y) {
-        return found.number[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) +
-                            static_cast<std::size_t>(x)];
-    };
+    const auto number = [&](int x, int y) { return found.number[index_of(grid, x, y)]; };
     const auto draw = [&](glm::vec2 from, glm::vec2 to) {
         page.sheet().line(page.relief().place(from), page.relief().place(to), 0.9f, kLine);
     };
@@ -137,8 +135,7 @@ render::Picture map_of(const ReleaseAreas& found, const ReleaseOptions& options,
         const int x = static_cast<int>(std::lround(cells.x)), y = static_cast<int>(std::lround(cells.y));
         Relief::Tint tint;
         if (!grid.contains(x, y)) return tint;
-        const int number = found.number[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) +
-                                        static_cast<std::size_t>(x)];
+        const int number = found.number[index_of(grid, x, y)];
         if (number > 0) tint = {colour_of(found.areas[static_cast<std::size_t>(number) - 1].aspect), 0.7f};
         return tint;
     });

@@ -24,7 +24,7 @@ constexpr char32_t capital(char32_t character) {
     return ascii || latin ? character - ('a' - 'A') : character;
 }
 
-constexpr std::size_t index_of(Key key) {
+constexpr std::size_t key_index(Key key) {
     return static_cast<std::size_t>(key);
 }
 constexpr char32_t character_of(Key key) {
@@ -59,7 +59,7 @@ void KeyboardLayout::assign() {
     for (std::size_t place = 0; place < kPlaces; ++place) {
         if (!is_place(static_cast<Key>(place)) || is_digit(static_cast<char32_t>(place))) continue;
         keys_[place] = named_after(printed_[place]);
-        is_printed[index_of(keys_[place])] = true;
+        is_printed[key_index(keys_[place])] = true;
     }
     for (std::size_t place = 0; place < names_.size(); ++place) {
         const auto own = static_cast<Key>(place);
@@ -73,10 +73,10 @@ void KeyboardLayout::assign() {
 }
 
 PressedKey KeyboardLayout::meaning(Key place, Modifiers with, bool alt_gr, char32_t typed) const {
-    const Key alone = keys_[index_of(place)];
+    const Key alone = keys_[key_index(place)];
     if (alt_gr) with.control = with.alt = false;  // as which some systems report it
     if (with.control || with.alt) return {alone, with};
-    const bool by_another_level = typed != 0 && typed != printed_[index_of(place)];
+    const bool by_another_level = typed != 0 && typed != printed_[key_index(place)];
     if (by_another_level && (is_mark(typed) || is_digit(typed))) return {static_cast<Key>(typed), {}};
     const bool by_lock = by_another_level && !with.shift && is_digit(character_of(place));
     if (alt_gr || by_lock) return {};
@@ -84,8 +84,8 @@ PressedKey KeyboardLayout::meaning(Key place, Modifiers with, bool alt_gr, char3
 }
 
 std::string KeyboardLayout::name_of(Key key) const {
-    if (index_of(key) >= names_.size() || !is_place(key)) return {};
-    const char32_t name = names_[index_of(key)];
+    if (key_index(key) >= names_.size() || !is_place(key)) return {};
+    const char32_t name = names_[key_index(key)];
     return text_of(name == 0 ? character_of(key) : name);
 }
 

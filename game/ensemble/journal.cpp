@@ -7,7 +7,6 @@
 #include "game/base/limits.h"
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
-#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
@@ -17,10 +16,6 @@ std::string header_of(const EnsembleSpec& spec) {
     for (const Variable& each : spec.variables) names.push_back(each.name());
     return Json{{"couloir", "ensemble"}, {"format", 1}, {"ensemble", spec.identity}, {"variables", names}}
         .dump();
-}
-
-std::string line_of(const Member& member) {
-    return to_json(member).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -53,18 +48,13 @@ Outcome<void> Journal::read(const std::string& text, const EnsembleSpec& spec) {
                     "--out, or delete it");
             continue;
         }
-        const auto json = terrains::read_json<Json>(line, kLineLimits);
-        if (!json) return wrong(number, fmt::format("is no member of an ensemble: {}", json.error()));
-        try {
-            Member member = member_from(*json);
-            if (member.sample.size() != spec.variables.size())
-                return wrong(number, "has another number of variables");
-            const std::int64_t of = member.number;
-            if (!members_.emplace(of, std::move(member)).second)
-                return wrong(number, fmt::format("has member {} a second time", of));
-        } catch (const std::exception& thrown) {
-            return wrong(number, fmt::format("is no member of an ensemble: {}", thrown.what()));
-        }
+        auto member = member_of(line);
+        if (!member) return wrong(number, fmt::format("is no member of an ensemble: {}", member.error()));
+        if (member->sample.size() != spec.variables.size())
+            return wrong(number, "has another number of variables");
+        const std::int64_t of = member->number;
+        if (!members_.emplace(of, std::move(*member)).second)
+            return wrong(number, fmt::format("has member {} a second time", of));
     }
     dropped_ = text.size() - begin;
     if (dropped_ > 0 && number == 0 && !header.starts_with(text))

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/measures.h"
 #include "game/compare/map_page.h"
 #include "game/ensemble/results.h"
 
@@ -139,10 +140,7 @@ std::vector<float> filled(const sim::Grid& grid, const std::vector<float>& field
             float sum = 0, count = 0;
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, grid.ny - 1); ++v)
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, grid.nx - 1); ++u)
-                    if (const float near =
-                            field[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid.nx) +
-                                  static_cast<std::size_t>(u)];
-                        !std::isnan(near))
+                    if (const float near = field[index_of(grid, u, v)]; !std::isnan(near))
                         sum += near, ++count;
             full[i] = count > 0 ? sum / count : 0;
         }
@@ -217,8 +215,7 @@ void draw_polygons(const EnsembleMap& map, const EnsembleSpec& spec, MapPage& pa
         Relief::Tint tint;
         const int x = static_cast<int>(std::lround(cells.x)), y = static_cast<int>(std::lround(cells.y));
         if (!grid.contains(x, y)) return tint;
-        const std::size_t i =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(x);
+        const std::size_t i = index_of(grid, x, y);
         if (of[i] != 0)
             tint = {0.62f * polygon_colour(of[i]), 0.9f};
         else if (!std::isnan(map.values[i]))

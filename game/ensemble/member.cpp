@@ -8,8 +8,10 @@
 
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
+#include "game/base/limits.h"
 #include "game/recording/format.h"
 #include "game/recording/recorder.h"
+#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
@@ -29,8 +31,6 @@ constexpr Figure kFigures[] = {{"seconds", &Member::seconds},     {"released", &
 double released_by(const Session& session) {
     return session.cubic_metres(session.state().ledger.rolling);
 }
-
-}  // namespace
 
 Json to_json(const Member& member) {
     Json json{{"member", member.number}, {"sample", member.sample}};
@@ -57,6 +57,22 @@ Member member_from(const Json& json) {
         member.*figure.value = values::number(json, figure.name, -kGreatest, kGreatest);
     member.hash = values::text(json, "hash");
     return member;
+}
+
+}  // namespace
+
+std::string line_of(const Member& member) {
+    return to_json(member).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+tl::expected<Member, std::string> member_of(const std::string& line) {
+    const auto json = terrains::read_json<Json>(line, kLineLimits);
+    if (!json) return tl::unexpected(json.error());
+    try {
+        return member_from(*json);
+    } catch (const std::exception& thrown) {
+        return tl::unexpected(std::string(thrown.what()));
+    }
 }
 
 Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number, const VertexCounts& counts,

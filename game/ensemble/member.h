@@ -28,9 +28,9 @@ struct Member {
     bool operator==(const Member&) const = default;
 };
 
-// A line of the journal, and back. Throws as the readers of json_values.h.
-Json to_json(const Member& member);
-Member member_from(const Json& json);
+// A line of the journal, without its end, and back. Errors: a fact.
+std::string line_of(const Member& member);
+tl::expected<Member, std::string> member_of(const std::string& line);
 
 // Plays a member, alone or beside others on threads of their own. Draws nothing and follows no front; ends when the
 // kinetic energy has fallen to 1 % of its greatest, as `run --until-rest` does. With `record` it is a recording too.

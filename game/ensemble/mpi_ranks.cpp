@@ -25,7 +25,7 @@ class MpiRanks final : public Ranks {
     int rank() const override { return rank_; }
     int count() const override { return count_; }
     void send(int to, std::string_view bytes) override {
-        // A member of the greatest grid is a quarter of what an int can say.
+        // A member of the greatest grid has far fewer bytes than an int can say.
         MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, kTag, MPI_COMM_WORLD);
     }
     std::optional<Message> received() override {

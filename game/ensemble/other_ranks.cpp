@@ -21,10 +21,8 @@
 
 #include <fmt/format.h>
 
-#include "game/base/limits.h"
 #include "game/base/process.h"
 #include "game/ensemble/bytes.h"
-#include "terrains/json_reader.h"
 
 namespace game {
 namespace {
@@ -44,7 +42,7 @@ std::vector<Number> all_of(ByteTaker& taker) {
 }
 
 std::string message_of(const PlayedMember& played) {
-    const std::string line = to_json(played.member).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string line = line_of(played.member);
     std::string bytes = "D";
     put(static_cast<std::uint64_t>(line.size()), bytes);
     bytes += line;
@@ -75,13 +73,9 @@ tl::expected<PlayedMember, std::string> played_from(std::string_view bytes) {
     for (const std::uint32_t each : all_of<std::uint32_t>(taker))
         played.marks.hardness.push_back(std::bit_cast<float>(each));
     if (taker.has_failed() || taker.left() > 0) return tl::unexpected(std::string("was cut"));
-    const auto json = terrains::read_json<Json>(std::string(line), kLineLimits);
-    if (!json) return tl::unexpected(json.error());
-    try {
-        played.member = member_from(*json);
-    } catch (const std::exception& thrown) {
-        return tl::unexpected(std::string(thrown.what()));
-    }
+    auto member = member_of(std::string(line));
+    if (!member) return tl::unexpected(member.error());
+    played.member = std::move(*member);
     return played;
 }
 
