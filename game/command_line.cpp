@@ -18,6 +18,7 @@
 
 #include "game/analysis/export_iseesnow.h"
 #include "game/base/number.h"
+#include "game/base/process.h"
 #include "game/base/version.h"
 #include "game/commands/commands.h"
 #include "game/ensemble/spec.h"
@@ -29,7 +30,7 @@ namespace {
 
 // The only translation unit that includes CLI11, which takes seconds to compile.
 
-constexpr Range<int> kThreads{1, 64};
+constexpr Range<int> kThreads{1, kMostThreads};
 constexpr Range<int> kSquares{8, 4096, "squares"};
 constexpr Range<double> kSlopes{0, 90, "degrees"};
 constexpr Range<int> kPixels{16, 8192, "pixels"};
@@ -125,12 +126,6 @@ void add_step_options(CLI::App& app, sim::StepOptions& step_options) {
            std::string("compute kernel (results are bit-identical): ") + kernel_names() +
                " [the newest that this machine supports]")
         ->type_name("NAME");
-}
-
-std::optional<sim::front::Rule::Kind> rule_named(std::string_view name) {
-    if (name == "paper") return sim::front::Rule::Kind::kGradient;
-    if (name == "relative") return sim::front::Rule::Kind::kRelative;
-    return std::nullopt;
 }
 
 template <class Enum>
@@ -597,26 +592,30 @@ void add_track(CLI::App& app, TrackOptions& options) {
                    "array of frames × vertices × 2 from numpy.save(), little-endian f4 or f8, m/s")
         ->type_name("VELOCITIES.npy")
         ->required();
-    add_number(app, "--dt", "S", options.dt, Range<double>{1e-6, 1e6, "s"}, "set the time between frames",
-               "1/60");
-    add_named(app, "--source", options.source, sim::front::source_named, "half, paper, fit, level",
+    add_number(app, "--dt", "S", options.dt,
+               Range<double>{TrackRule::kShortestStep, TrackRule::kLongestStep, "s"},
+               "set the time between frames", "1/60");
+    add_named(app, "--source", options.rule.source, sim::front::source_named, "half, paper, fit, level",
               "method that locates a point on its edge [fit]");
-    app.add_flag("--hold", options.hold,
+    app.add_flag("--hold", options.rule.hold,
                  "with --source paper: move points whose front is ahead of them on to the vertex through "
                  "which it left (Section 3.3)");
     add_named(
-        app, "--rule", options.rule, rule_named, "paper, relative",
+        app, "--rule", options.rule.rule, track_rule_named, "paper, relative",
         "cut the edges on which the velocity changes: paper, by --threshold per metre and by --jump; "
         "relative, by --jump and by 0.7 of both speeds, as next to a layer at rest [paper; with --source "
         "level, the edges on which the scalar crosses the level]");
-    add_number(app, "--threshold", "NUMBER", options.threshold, Range<double>{1e-9, 1e9, "1/s"},
+    add_number(app, "--threshold", "NUMBER", options.rule.threshold,
+               Range<double>{TrackRule::kLeast, TrackRule::kMost, "1/s"},
                "set the paper's M, the least velocity gradient", "jump / 1.5 cells");
-    add_number(app, "--jump", "NUMBER", options.jump, Range<double>{1e-9, 1e9, "m/s"},
+    add_number(app, "--jump", "NUMBER", options.rule.jump,
+               Range<double>{TrackRule::kLeast, TrackRule::kMost, "m/s"},
                "set the least velocity jump that cuts an edge", "0.3 with rule relative");
     app.add_option("--scalar", options.scalar,
                    "with --source level: read the scalar from an array of frames × vertices")
         ->type_name("R.npy");
-    add_number(app, "--level", "NUMBER", options.level, Range<double>{-1e30, 1e30},
+    add_number(app, "--level", "NUMBER", options.rule.level,
+               Range<double>{-TrackRule::kFarthestLevel, TrackRule::kFarthestLevel},
                "with --source level: set the level of the scalar");
     app.add_option("--out", options.out, "write the points to this file, not to standard output")
         ->type_name("FILE.csv");
@@ -753,20 +752,7 @@ void add_list(CLI::App& app, ListOptions& options) {
 
 // Checks the options of `track` against each other and sets the defaults that depend on others.
 Outcome<void> check(TrackOptions& options) {
-    using sim::front::Rule, sim::front::PointSource;
-    options.source = options.source.value_or(PointSource::kFit);
-    const bool by_level = options.source == PointSource::kLevel;
-    options.rule = options.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
-    if (by_level && (!options.scalar || !options.level))
-        return unusable("--source level needs both --scalar R.npy and --level NUMBER");
-    if (!by_level && (options.scalar || options.level))
-        return unusable("--scalar and --level need --source level");
-    if (options.hold && options.source != PointSource::kPaper) return unusable("--hold needs --source paper");
-    if (options.rule == Rule::Kind::kGradient && !options.jump && !options.threshold)
-        return unusable("track needs --jump or --threshold, which decide what edges are cut");
-    if (options.rule != Rule::Kind::kGradient && options.threshold)
-        return unusable("--threshold needs --rule paper");
-    return {};
+    return complete(options.rule, options.scalar.has_value());
 }
 
 // Checks the options of `run` against each other and sets the defaults that depend on others.

@@ -19,6 +19,9 @@ inline constexpr std::uint64_t kMostDepthPixels = 100'000'000;      // of a dept
 inline constexpr std::uint64_t kMostHeightmapPixels = 100'000'000;  // of an image
 inline constexpr int kMostHeightmapChannels = 2;
 
-inline constexpr int kFewestSquares = 8, kMostSquares = 4096;  // along a grid's longer side
+inline constexpr double kLowestGround = -12'000,
+                        kHighestGround = 9'000;  // m: below every trench, above every summit
+inline constexpr double kSmallestCell = 1e-3, kLargestCell = 1e5;  // m
+inline constexpr int kFewestSquares = 8, kMostSquares = 4096;      // along a grid's longer side
 
 }  // namespace terrains

@@ -31,9 +31,8 @@ struct Bounds {
 };
 
 const Bounds& bounds_of(Quantity quantity) {
-    // Heights: below every trench and above every summit.
     static constexpr std::array<Bounds, 3> kBounds{
-        Bounds{"heights", "m high", -12'000, 9'000, 0, kMostDemPixels},
+        Bounds{"heights", "m high", kLowestGround, kHighestGround, 0, kMostDemPixels},
         Bounds{"depths", "m deep", -200, 200, 0, kMostDepthPixels},
         Bounds{"shares", "of a wood", 0, 1, 0.1, kMostDemPixels},
     };

@@ -28,6 +28,7 @@ struct Room {
 constexpr Room kRooms[] = {
     {"game", 5, "main", "options, exit status"},
     {"game/commands", 5, "commands", "one subcommand each"},
+    {"game/python", 2, "python", "import couloir"},
     {"game/compare", 2, "compare", "two runs side by side"},
     {"game/ensemble", 0, "ensemble", "how likely"},
     {"game/figures", 4, "figures", "the paper's figures"},

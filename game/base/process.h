@@ -27,6 +27,7 @@ Outcome<void> finish_standard_output();
 // Gives the calling thread, and those that it starts, what processor time others leave.
 void lower_priority_of_thread();
 
+inline constexpr int kMostThreads = 64;  // that a user may ask for
 // How many processors the machine has, at least 1.
 int processors();
 

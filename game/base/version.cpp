@@ -2,6 +2,7 @@
 
 namespace game {
 
+const char* const kVersionNumber = COULOIR_VERSION;
 const char* const kProgram = "couloir " COULOIR_VERSION;
 const char* const kCommit = COULOIR_COMMIT;
 const char* const kCompiler = COULOIR_COMPILER;

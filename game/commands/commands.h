@@ -7,6 +7,7 @@
 
 #include "game/analysis/gallery.h"
 #include "game/analysis/summary.h"
+#include "game/analysis/track_rule.h"
 #include "game/base/outcome.h"
 #include "game/bench/canvas.h"
 #include "game/bench/measure.h"
@@ -17,7 +18,6 @@
 #include "game/scene/viewpoint.h"
 #include "game/share/slide_page.h"
 #include "sim/engine.h"
-#include "sim/front/tracker.h"
 #include "terrains/release_areas.h"
 
 namespace game {
@@ -153,13 +153,9 @@ Outcome<int> list(const ListOptions& options);
 
 struct TrackOptions {
     std::filesystem::path mesh, velocities;
-    double dt = 1.0 / 60;                           // s
-    std::optional<sim::front::PointSource> source;  // always set by the command line
-    std::optional<sim::front::Rule::Kind> rule;     // always set by the command line
-    bool hold = false;                              // only with source paper
-    std::optional<double> threshold, jump;          // 1/s, m/s
+    double dt = 1.0 / 60;  // s
+    TrackRule rule;        // complete
     std::optional<std::filesystem::path> scalar;
-    std::optional<double> level;
     std::optional<std::filesystem::path> out;  // none: standard output
     std::optional<std::filesystem::path> pictures;
     std::int64_t every = 1;  // frames

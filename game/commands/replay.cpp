@@ -34,13 +34,6 @@ std::string name_of(const sim::StepOptions& step_options, bool swept) {
                        step_options.last_tile_first ? " in reverse order" : "");
 }
 
-// States of a newer format may differ because of what this program does not know of it.
-Verdict verdict_of(const Verifier& verifier, const Header& header) {
-    Verdict verdict = verifier.verdict();
-    if (verdict.parted && header.minor > kFormatMinor) verdict.comparable = false;
-    return verdict;
-}
-
 // What the score is of: the challenge that this program ships, or another.
 std::string challenge_text(const Scenario& scenario) {
     Overrides overrides;
@@ -127,7 +120,7 @@ Outcome<int> replay(const ReplayOptions& options) {
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
     Summary summary{scenario, *session, measures, &outputs->perf(), std::nullopt, std::nullopt};
-    if (options.verify) summary.verdict = verdict_of(verifier, recording->header);
+    if (options.verify) summary.verdict = verifier.verdict();
     if (options.score) {
         const auto score = referee.decide();
         if (!score)

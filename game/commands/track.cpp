@@ -27,7 +27,6 @@ namespace game {
 namespace {
 
 using sim::front::Mesh;
-using sim::front::Rule;
 using sim::front::Tracker;
 
 // Opens an array of frames × vertices × `numbers`, or of frames × vertices if `numbers` is 1.
@@ -41,31 +40,6 @@ Outcome<ArrayFile> open_frames(const std::filesystem::path& path, const Mesh& me
     return unusable(fmt::format("{}: its shape is {}; expected frames × {} vertices{}", path.string(),
                                 array->shape_text(), mesh.vertices(),
                                 numbers == 1 ? "" : fmt::format(" × {}", numbers)));
-}
-
-float usual_cell(const Mesh& mesh) {
-    std::vector<float> cells;
-    for (const float cell : mesh.cell)
-        if (cell > 0) cells.push_back(cell);
-    const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2);
-    std::nth_element(cells.begin(), middle, cells.end());
-    return *middle;
-}
-
-Rule rule_of(const TrackOptions& options, const Mesh& mesh) {
-    Rule rule;
-    if (*options.rule == Rule::Kind::kGradient) {
-        if (options.jump)
-            rule = sim::front::gradient_rule(static_cast<float>(*options.jump), usual_cell(mesh));
-        if (options.threshold) rule.threshold = static_cast<float>(*options.threshold);
-    } else if (*options.rule == Rule::Kind::kRelative) {
-        rule = sim::front::avalanche_rule();
-        if (options.jump) rule.jump = static_cast<float>(*options.jump);
-    } else {
-        rule.kind = Rule::Kind::kLevel;
-    }
-    if (options.level) rule.level = static_cast<float>(*options.level);
-    return rule;
 }
 
 // Errors: a point is not finite, because velocities are near the end of a float's range.
@@ -197,7 +171,7 @@ Outcome<int> track(const TrackOptions& options) {
     auto output = Output::open(options.out);
     if (!output) return tl::unexpected(output.error());
 
-    Tracker tracker(*mesh, rule_of(options, *mesh), *options.source, options.hold);
+    Tracker tracker(*mesh, rule_of(options.rule, *mesh), *options.rule.source, options.rule.hold);
     sim::Workers workers(options.threads);
     Progress progress("tracking");
     Tally tally;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "files/input.h"
+#include "files/module.h"
 
 namespace game {
 namespace {
@@ -38,13 +39,13 @@ Outcome<fs::path> assets_folder() {
         if (fs::is_directory(fs::path(named) / "shaders", error)) return fs::path(named);
         return unusable(fmt::format("COULOIR_ASSETS is {}, which holds no shaders folder", named));
     }
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    for (fs::path above = program.parent_path(); above.has_relative_path(); above = above.parent_path())
+    const fs::path own = files::own_folder();
+    for (fs::path above = own; above.has_relative_path(); above = above.parent_path())
         for (const char* place : {"assets", "share/couloir"})
             if (fs::is_directory(above / place / "shaders", error)) return above / place;
     return machine_fails(
         fmt::format("{}: no assets folder beside the program or above it; set COULOIR_ASSETS to its path",
-                    program.string()));
+                    own.string()));
 }
 
 Outcome<std::vector<std::string>> asset_names(AssetKind kind) {

@@ -82,7 +82,9 @@ class Triangles {
     std::vector<int> vertex_line, triangle_line;
 };
 
-const char* told(MeshFault::Kind kind) {
+}  // namespace
+
+const char* fact_of(MeshFault::Kind kind) {
     switch (kind) {
         case MeshFault::Kind::kNotFinite:
             return "a vertex that is not finite";
@@ -95,8 +97,6 @@ const char* told(MeshFault::Kind kind) {
     }
     return "";
 }
-
-}  // namespace
 
 Outcome<Mesh> read_obj(const std::filesystem::path& path) {
     const auto bad = [&](const std::string& what) {
@@ -124,7 +124,7 @@ Outcome<Mesh> read_obj(const std::filesystem::path& path) {
     if (triangles.triangle.empty()) return bad("has no triangles ('f' lines of an OBJ file)");
     auto made = sim::front::mesh_of(triangles.position, triangles.triangle);
     if (const auto* fault = std::get_if<MeshFault>(&made))
-        return bad_line(triangles.line_of(*fault), told(fault->kind));
+        return bad_line(triangles.line_of(*fault), fact_of(fault->kind));
     return std::get<Mesh>(std::move(made));
 }
 

@@ -13,4 +13,7 @@ namespace game {
 // an edge with three triangles.
 Outcome<sim::front::Mesh> read_obj(const std::filesystem::path& path);
 
+// "a triangle with no area …"
+const char* fact_of(sim::front::MeshFault::Kind kind);
+
 }  // namespace game

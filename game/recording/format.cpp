@@ -142,7 +142,8 @@ void ground_from(const Json& json, const Memory& memory, bool has_things, Scenar
     scenario.licence = text(json, "licence");
     scenario.grid.nx = static_cast<int>(whole(json, "nx", 3, kMostVertices));
     scenario.grid.ny = static_cast<int>(whole(json, "ny", 3, kMostVertices));
-    scenario.grid.dx = static_cast<float>(number(json, "dx", 1e-3, 1e5));
+    scenario.grid.dx =
+        static_cast<float>(number(json, "dx", terrains::kSmallestCell, terrains::kLargestCell));
     if (const auto allowed = memory.allows(scenario.grid, scenario.lower.has_value(), has_things); !allowed)
         refuse(allowed.error());
     scenario.datum = number(json, "datum", -2e4, 2e4);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,9 @@
 #include "game/scene/standing.h"
 #include "render/mountain/overview.h"
 #include "terrains/dem_gdal.h"
+#include "terrains/limits.h"
 #include "terrains/release.h"
+#include "terrains/resample.h"
 
 namespace game {
 namespace {
@@ -408,6 +412,14 @@ Outcome<Scene> load_scene(std::string_view name_or_path, const Overrides& overri
 
 namespace {
 
+// The parameters of a hill: those of its material, what the user chose, and sinks all around.
+Outcome<sim::Params> params_of_hill(sim::Params params, const Overrides& overrides) {
+    take_choices(overrides, params);
+    if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
+    params.borders.fill(sim::Border::kSink);
+    return params;
+}
+
 // Puts the release into the scenario as rolling layer at rest.
 Outcome<void> add_release(const Terrain& terrain, const ReleaseFile& file, terrains::References references,
                           Scene& scene) {
@@ -449,12 +461,7 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
     add_files(terrain->files, scene);
     scene.scenario.scene = scene.scenario.title = terrain->name;
     // The class of the avalanche is known when its release is.
-    const auto chosen = [&](sim::Params params) -> Outcome<sim::Params> {
-        take_choices(overrides, params);
-        if (const auto set = take_set(overrides, params); !set) return tl::unexpected(set.error());
-        params.borders.fill(sim::Border::kSink);
-        return params;
-    };
+    const auto chosen = [&](const sim::Params& params) { return params_of_hill(params, overrides); };
     const auto usual_params = chosen(material->params);
     if (!usual_params) return tl::unexpected(usual_params.error());
     take_material(scene.scenario, *material, *usual_params);
@@ -479,6 +486,78 @@ Outcome<Scene> scene_of_terrain(const fs::path& dem, const std::optional<Release
         if (!of_patch) return tl::unexpected(of_patch.error());
         scene.patches.push_back({std::move(patch), *of_patch});
     }
+    return scene;
+}
+
+namespace {
+
+// Errors: a value outside `least` to `most`, at a vertex that counts.
+Outcome<void> check_values(const sim::Grid& grid, std::span<const float> values,
+                           std::span<const std::uint8_t> counts, const char* what, double least,
+                           double most) {
+    if (values.size() != grid.size())
+        return unusable(fmt::format("{}: {} values for {} vertices", what, values.size(), grid.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = values[i];
+        if (counts[i] == 0 || (value >= least && value <= most)) continue;
+        const std::size_t row = i / static_cast<std::size_t>(grid.nx),
+                          column = i % static_cast<std::size_t>(grid.nx);
+        return unusable(fmt::format("{}: {} m in row {}, column {}, outside {} to {} m", what, value, row,
+                                    column, least, most));
+    }
+    return {};
+}
+
+// Errors: the heights of `terrain`, or what lies on them, are no ground for a world.
+Outcome<void> check_ground(const Terrain& terrain, std::span<const float> rolling, const Memory& memory) {
+    const sim::Grid& grid = terrain.grid;
+    const int longer = std::max(grid.nx, grid.ny) - 1;
+    if (std::min(grid.nx, grid.ny) < 3 || longer < terrains::kFewestSquares ||
+        longer > terrains::kMostSquares)
+        return unusable(
+            fmt::format("heights of {} rows and {} columns: a grid has {} to {} squares along its longer "
+                        "side and at least 2 along the other",
+                        grid.ny, grid.nx, terrains::kFewestSquares, terrains::kMostSquares));
+    if (!(grid.dx >= terrains::kSmallestCell && grid.dx <= terrains::kLargestCell))
+        return unusable(fmt::format("a cell of {} m, outside {} to {} m", grid.dx, terrains::kSmallestCell,
+                                    terrains::kLargestCell));
+    if (std::ranges::find(terrain.has_data, 1) == terrain.has_data.end())
+        return unusable("heights without any data");
+    if (auto sound = check_values(grid, terrain.surface, terrain.has_data, "heights", terrains::kLowestGround,
+                                  terrains::kHighestGround);
+        !sound)
+        return sound;
+    const std::vector<std::uint8_t> all(grid.size(), 1);
+    if (auto sound = check_values(grid, terrain.cover, all, "cover", 0, kDeepestRelease); !sound)
+        return sound;
+    if (auto sound = check_values(grid, rolling, all, "rolling", 0, kDeepestRelease); !sound) return sound;
+    if (const auto allowed = memory.allows(grid, false); !allowed) return unusable(allowed.error());
+    return {};
+}
+
+}  // namespace
+
+Outcome<Scene> scene_of_heights(Terrain terrain, std::vector<float> rolling, const Overrides& overrides) {
+    const sim::Model model = overrides.model.value_or(sim::Model::kBcreInertial);
+    if (const auto sound = check_choices(overrides, model); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check_ground(terrain, rolling, overrides.memory); !sound)
+        return tl::unexpected(sound.error());
+    const auto material = load_material(overrides.material.value_or("snow-dry"), model);
+    if (!material) return tl::unexpected(material.error());
+    terrains::fill_voids(terrain.grid, terrain.has_data, terrain.surface);
+
+    Scene scene;
+    scene.files = {material->file};
+    scene.scenario.scene = scene.scenario.title = terrain.name;
+    const double released = std::accumulate(rolling.begin(), rolling.end(), 0.0) * terrain.grid.cell_area();
+    const auto params =
+        params_of(*material, overrides, released > 0 ? std::optional(released) : std::nullopt, scene)
+            .and_then([&](const sim::Params& of_class) { return params_of_hill(of_class, overrides); });
+    if (!params) return tl::unexpected(params.error());
+    take_material(scene.scenario, *material, *params);
+    set_ground(scene.scenario, terrain);
+    scene.scenario.rolling = std::move(rolling);
+    view_from_valley(scene.scenario);
     return scene;
 }
 

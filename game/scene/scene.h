@@ -76,4 +76,10 @@ struct ReleaseFile {
 Outcome<Scene> scene_of_terrain(const std::filesystem::path& dem, const std::optional<ReleaseFile>& release,
                                 const Overrides& overrides);
 
+// The same of heights that are given as numbers. Of `terrain`, a name, grid, surface and cover count, and where it has data;
+// where it has none, the surface is extended here. `rolling`: a release at rest, m, one value for each vertex.
+// Errors, also: a number out of range, with its vertex.
+Outcome<Scene> scene_of_heights(terrains::Terrain terrain, std::vector<float> rolling,
+                                const Overrides& overrides);
+
 }  // namespace game

@@ -8,6 +8,7 @@
 #include "terrains/dem_gdal.h"
 #include "terrains/generate.h"
 #include "terrains/heightmap_image.h"
+#include "terrains/limits.h"
 
 namespace game {
 namespace {
@@ -43,7 +44,7 @@ MaybeTerrain generate(TomlTable& table, const std::string& generator, const Grid
 
 MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice& choice,
                        terrains::References references) {
-    const auto pixel = table.number("pixel", 1e-3, 1e5);
+    const auto pixel = table.number("pixel", terrains::kSmallestCell, terrains::kLargestCell);
     const auto lowest = table.number("lowest", -12000, 9000), highest = table.number("highest", -12000, 9000);
     table.finish();
     if (!pixel) return terrains::read_dem(file, choice, references);

@@ -39,7 +39,7 @@ std::string_view to_string(Verdict::Kind kind) {
     return "not comparable";
 }
 
-Verifier::Verifier(const Recording& recording) {
+Verifier::Verifier(const Recording& recording) : is_newer_(recording.header.minor > kFormatMinor) {
     verdict_.comparable = is_comparable(recording.header);
     for (const StateLine& line : recording.states) {
         std::int64_t tick = line.tick - static_cast<std::int64_t>(line.before.size());
@@ -67,6 +67,7 @@ void Verifier::look_at(const Session& session) {
     if (!verdict_.parted && next_mass_ < masses_.size() && masses_[next_mass_].tick == tick)
         verdict_.parted = fault_of(tick, masses_[next_mass_].ledger, replayed.ledger);
     if (!verdict_.parted) verdict_.proven_tick = tick;
+    if (verdict_.parted && is_newer_) verdict_.comparable = false;
 }
 
 }  // namespace game

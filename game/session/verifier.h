@@ -53,6 +53,7 @@ class Verifier {
     std::vector<Hash> hashes_;  // of all lines, sorted by tick
     std::vector<Mass> masses_;
     std::size_t next_hash_ = 0, next_mass_ = 0;  // the first of this tick or a later one
+    bool is_newer_;  // of a newer format: states may differ because of what this program does not know of it
     Verdict verdict_;
 };
 

@@ -29,10 +29,10 @@ const Names kSimLibraries{"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental
 const Names kNotInSim{"filesystem", "fstream", "chrono", "ctime"};
 
 // Folders of game/, lowest floor first: each may include only those before it.
-const Names kGameFloors{"game/base/",      "game/files/",    "game/pages/",    "game/scene/",
-                        "game/recording/", "game/session/",  "game/analysis/", "game/share/",
-                        "game/compare/",   "game/ensemble/", "game/figures/",  "game/bench/",
-                        "game/controls/",  "game/ui/",       "game/app/",      "game/commands/"};
+const Names kGameFloors{
+    "game/base/",     "game/files/", "game/pages/",   "game/scene/",    "game/recording/", "game/session/",
+    "game/analysis/", "game/share/", "game/compare/", "game/ensemble/", "game/figures/",   "game/bench/",
+    "game/controls/", "game/ui/",    "game/app/",     "game/commands/", "game/python/"};
 
 // Folders of render/ without OpenGL, lowest floor first: each may include only those before it.
 const Names kRenderFloors{"render/base/", "render/pictures/",  "render/view/",  "render/mountain/",
@@ -71,7 +71,7 @@ std::vector<Room> make_rooms() {
 
     rooms.push_back({.name = "files",
                      .rooms = {"files/"},
-                     .libraries = {"dlfcn.h", "fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"}});
+                     .libraries = {"dlfcn.h", "link.h", "fcntl.h", "unistd.h", "sys/", "fmt/", "tl/"}});
     rooms.push_back(
         {.name = "terrains",
          .rooms = {"terrains/", "files/", "sim/core/grid.h", "sim/core/check.h"},
@@ -107,12 +107,12 @@ const std::vector<Room>& rooms() {
     return kRooms;
 }
 
-// Libraries that only one file may use.
+// Libraries that only one file or folder may use.
 struct Keeper {
-    std::string_view library, file;
+    std::string_view library, place;
 };
-constexpr std::array<Keeper, 2> kKeepers{
-    {{"CLI/", "game/command_line.cpp"}, {"GLFW/", "game/app/window.cpp"}}};
+constexpr std::array<Keeper, 3> kKeepers{
+    {{"CLI/", "game/command_line.cpp"}, {"GLFW/", "game/app/window.cpp"}, {"pybind11/", "game/python/"}}};
 
 bool begins_with_one_of(std::string_view path, const std::vector<std::string_view>& beginnings) {
     return std::any_of(beginnings.begin(), beginnings.end(),
@@ -149,7 +149,7 @@ bool is_standard(std::string_view header) {
 
 bool is_kept_from(std::string_view file, std::string_view header) {
     return std::any_of(kKeepers.begin(), kKeepers.end(), [&](const Keeper& keeper) {
-        return header.starts_with(keeper.library) && file != keeper.file;
+        return header.starts_with(keeper.library) && !file.starts_with(keeper.place);
     });
 }
 

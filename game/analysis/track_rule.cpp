@@ -1,0 +1,59 @@
+#include "game/analysis/track_rule.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace game {
+namespace {
+
+using sim::front::Mesh;
+using sim::front::PointSource;
+using sim::front::Rule;
+
+float usual_cell(const Mesh& mesh) {
+    std::vector<float> cells;
+    for (const float cell : mesh.cell)
+        if (cell > 0) cells.push_back(cell);
+    const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2);
+    std::nth_element(cells.begin(), middle, cells.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::optional<Rule::Kind> track_rule_named(std::string_view name) {
+    if (name == "paper") return Rule::Kind::kGradient;
+    if (name == "relative") return Rule::Kind::kRelative;
+    return std::nullopt;
+}
+
+Outcome<void> complete(TrackRule& rule, bool has_scalar) {
+    rule.source = rule.source.value_or(PointSource::kFit);
+    const bool by_level = rule.source == PointSource::kLevel;
+    rule.rule = rule.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
+    if (by_level && (!has_scalar || !rule.level))
+        return unusable("source level needs both a scalar and a level");
+    if (!by_level && (has_scalar || rule.level)) return unusable("scalar and level need source level");
+    if (rule.hold && rule.source != PointSource::kPaper) return unusable("hold needs source paper");
+    if (rule.rule == Rule::Kind::kGradient && !rule.jump && !rule.threshold)
+        return unusable("tracking needs a jump or a threshold, which decide what edges are cut");
+    if (rule.rule != Rule::Kind::kGradient && rule.threshold) return unusable("threshold needs rule paper");
+    return {};
+}
+
+Rule rule_of(const TrackRule& choice, const Mesh& mesh) {
+    Rule rule;
+    if (choice.rule == Rule::Kind::kGradient) {
+        if (choice.jump) rule = sim::front::gradient_rule(static_cast<float>(*choice.jump), usual_cell(mesh));
+        if (choice.threshold) rule.threshold = static_cast<float>(*choice.threshold);
+    } else if (choice.rule == Rule::Kind::kRelative) {
+        rule = sim::front::avalanche_rule();
+        if (choice.jump) rule.jump = static_cast<float>(*choice.jump);
+    } else {
+        rule.kind = Rule::Kind::kLevel;
+    }
+    if (choice.level) rule.level = static_cast<float>(*choice.level);
+    return rule;
+}
+
+}  // namespace game
