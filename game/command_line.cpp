@@ -269,6 +269,11 @@ void add_play(CLI::App& app, PlayOptions& options) {
            "--record", options.record,
            "write the recording to this file [a new file in couloir/recordings in the XDG data folder]")
         ->type_name("FILE.couloir");
+    app.add_option(
+           "--ensemble", options.ensemble,
+           "SCENE is the file of an ensemble: show its results, which are in this folder, as probability "
+           "and end points; a click on one opens its run")
+        ->type_name("DIR");
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
     add_look(app, options.overrides.look);
@@ -752,7 +757,7 @@ void add_list(CLI::App& app, ListOptions& options) {
 
 // Checks the options of `track` against each other and sets the defaults that depend on others.
 Outcome<void> check(TrackOptions& options) {
-    return complete(options.rule, options.scalar.has_value());
+    return complete(options.rule, options.scalar.has_value(), "--");
 }
 
 // Checks the options of `run` against each other and sets the defaults that depend on others.

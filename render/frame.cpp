@@ -18,6 +18,7 @@
 #include "render/mountain/ground_mesh.h"
 #include "render/mountain/sun_sweep.h"
 #include "render/passes/drawn_extent.h"
+#include "render/passes/drawn_probability.h"
 #include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
@@ -87,6 +88,7 @@ struct Renderer::Parts {
     Redrawn redrawn;
     RedrawRules rules;
     DrawnExtent extent;
+    DrawnProbability probability;
 
     // The stages of a frame, in order.
     Frame begin(const FrameInput& input);
@@ -268,6 +270,7 @@ void Renderer::Parts::compute(const Frame& frame) {
     }
 
     // Heights, slopes and shares of the layers.
+    if (input.marks.overlay == Overlay::kProbability) probability.bind(input);
     surface.run(changed.groups());
     surface.bind();
     clock.mark(Pass::kSurface);

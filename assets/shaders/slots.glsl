@@ -36,6 +36,7 @@
 #define SLOT_POWDER_HIDDEN 28   // RGBA32F: how the depth of the scene hides the cloud; its shadow on the ground
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
+#define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
 #define SLOT_UNITS 31     // number of texture units
 
@@ -74,6 +75,7 @@
 #define OVERLAY_SPEED 4
 #define OVERLAY_STRETCH 5
 #define OVERLAY_PRESSURE 6
+#define OVERLAY_PROBABILITY 7
 
 // Where a flow's texture is drawn
 #define FLOW_NOWHERE 0

@@ -6,6 +6,7 @@ layout(binding = SLOT_VELOCITY_X) uniform sampler2D velocity_x;
 layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
 layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
+layout(binding = SLOT_PROBABILITY) uniform sampler2D probability;
 layout(std430, binding = SLOT_SURFACE_GROUPS) readonly buffer Groups { int groups[]; };
 layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
@@ -35,6 +36,7 @@ vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) 
         case OVERLAY_STANDING: return vec2(d, 1.0);
         case OVERLAY_ROLLING: return vec2(r, 1.0) * rolls;
         case OVERLAY_SPEED: return vec2(length(velocity), 1.0) * rolls;
+        case OVERLAY_PROBABILITY: return vec2(texelFetch(probability, v, 0).r, 1.0);
         case OVERLAY_PRESSURE: return vec2(pressure(v, velocity), 1.0) * rolls;
     }
     return vec2(0.0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace game {
 namespace {
 
@@ -27,17 +29,22 @@ std::optional<Rule::Kind> track_rule_named(std::string_view name) {
     return std::nullopt;
 }
 
-Outcome<void> complete(TrackRule& rule, bool has_scalar) {
+Outcome<void> complete(TrackRule& rule, bool has_scalar, std::string_view dash) {
+    const auto wrong = [&](std::string_view sentence) {
+        return unusable(fmt::format(fmt::runtime(sentence), fmt::arg("dash", dash)));
+    };
     rule.source = rule.source.value_or(PointSource::kFit);
     const bool by_level = rule.source == PointSource::kLevel;
     rule.rule = rule.rule.value_or(by_level ? Rule::Kind::kLevel : Rule::Kind::kGradient);
     if (by_level && (!has_scalar || !rule.level))
-        return unusable("source level needs both a scalar and a level");
-    if (!by_level && (has_scalar || rule.level)) return unusable("scalar and level need source level");
-    if (rule.hold && rule.source != PointSource::kPaper) return unusable("hold needs source paper");
+        return wrong("{dash}source level needs both {dash}scalar and {dash}level");
+    if (!by_level && (has_scalar || rule.level))
+        return wrong("{dash}scalar and {dash}level need {dash}source level");
+    if (rule.hold && rule.source != PointSource::kPaper) return wrong("{dash}hold needs {dash}source paper");
     if (rule.rule == Rule::Kind::kGradient && !rule.jump && !rule.threshold)
-        return unusable("tracking needs a jump or a threshold, which decide what edges are cut");
-    if (rule.rule != Rule::Kind::kGradient && rule.threshold) return unusable("threshold needs rule paper");
+        return wrong("tracking needs {dash}jump or {dash}threshold, which decide what edges are cut");
+    if (rule.rule != Rule::Kind::kGradient && rule.threshold)
+        return wrong("{dash}threshold needs {dash}rule paper");
     return {};
 }
 

@@ -26,8 +26,9 @@ struct TrackRule {
 // "paper", "relative"
 std::optional<sim::front::Rule::Kind> track_rule_named(std::string_view name);
 
-// Sets what is not set. Errors: the choices do not go together. `has_scalar`: whether each flow has one.
-Outcome<void> complete(TrackRule& rule, bool has_scalar);
+// Sets what is not set. Errors: the choices do not go together. `has_scalar`: whether each flow has one. `dash` comes before the
+// name of a choice: "--" on a command line.
+Outcome<void> complete(TrackRule& rule, bool has_scalar, std::string_view dash);
 
 // The tracker's rule of a complete choice, on a mesh.
 sim::front::Rule rule_of(const TrackRule& choice, const sim::front::Mesh& mesh);

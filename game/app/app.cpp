@@ -207,6 +207,8 @@ void App::fit_hand() {
 }
 
 void App::begin_stroke() {
+    if (runs_)
+        if (const auto run = runs_->pointed_at()) return open_run(*run);
     if (sandbox_->looks_back()) return tell_hands_off();
     if (sandbox_->scenario().flow)
         return tell("Brushes do not work in a flow demo. Change its speeds in the Display panel");
@@ -443,7 +445,8 @@ render::Marks App::marks() const {
     render::Marks marks{.overlay = display_.overlay,
                         .contours = display_.contours,
                         .flow_mesh = display_.flow_mesh,
-                        .extent = ghost_.version()};
+                        .extent = ghost_.version(),
+                        .probability = runs_ ? runs_->version() : 0};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (tutorial_.shows_opening()) return marks;
@@ -454,7 +457,8 @@ render::Marks App::marks() const {
 }
 
 WorldImage::Subject App::subject() const {
-    return {*sandbox_, lookout_.surroundings(), lookout_.woods(), ghost_.inside()};
+    return {*sandbox_, lookout_.surroundings(), lookout_.woods(), ghost_.inside(),
+            runs_ ? runs_->probability() : std::span<const float>()};
 }
 
 void App::draw_world(const FrameTime& time) {
@@ -514,10 +518,26 @@ void App::trace_dam() {
         [&](glm::dvec3 place) { return lookout_.on_screen(place); });
 }
 
+// The ends follow the surface once per second of the world.
+void App::trace_runs() {
+    if (!runs_) return;
+    if (!display_.ends || ui_.hides_panels()) return runs_->point_nowhere();
+    const ScreenSize size = screen_.size();
+    const Session& session = sandbox_->session();
+    runs_->trace({camera(), size.width, size.height, static_cast<std::int64_t>(session.seconds())},
+                 [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, session.view()); });
+    const auto cursor = input_.cursor();
+    if (cursor && !hand_.stroke())
+        runs_->point_at({(cursor->x + 1) / 2 * size.width, (1 - cursor->y) / 2 * size.height});
+    else
+        runs_->point_nowhere();
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
     trace_dam();
+    trace_runs();
     std::optional<Reading> reading;
     if (const auto& ground = lookout_.ground())
         reading = open_.probe->read(session.view(), glm::dvec2(*ground));
@@ -528,6 +548,8 @@ void App::draw_panels() {
     const auto& guide = tutorial_.guide();
     if (guide && guide->shows_place())
         place_to_click = lookout_.on_screen({kPlaceToClick, surface_height(session.view(), kPlaceToClick)});
+    std::optional<glm::dvec2> ground;
+    if (lookout_.ground()) ground = glm::dvec2(*lookout_.ground());
     ui_.build(
         {
             .scenario = sandbox_->scenario(),
@@ -546,6 +568,7 @@ void App::draw_panels() {
             .dam = open_.dam_lines.note(),
             .card = open_.results.card(*sandbox_),
             .ghost = open_.ghost_note,
+            .runs = runs_ ? std::optional(runs_->note(ground)) : std::nullopt,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),

@@ -15,6 +15,7 @@
 #include "game/app/screenshots.h"
 #include "game/app/session_file.h"
 #include "game/app/sharing.h"
+#include "game/app/shown_runs.h"
 #include "game/app/tutorial.h"
 #include "game/app/world_image.h"
 #include "game/base/outcome.h"
@@ -55,6 +56,8 @@ class App {
     bool frame();
     // Plays a recording up to this tick and takes it over there.
     void take_over_at(std::int64_t tick);
+    // Shows runs over their world, which is open, until a world of another ground is.
+    void show_runs(Runs runs);
     // Closes the recording. Errors: it cannot be written (3).
     Outcome<void> finish();
 
@@ -72,6 +75,7 @@ class App {
     const render::Camera& camera() const { return lookout_.camera(); }
     const ui::Ui& panels() const { return ui_; }
     const Ghost& ghost() const { return ghost_; }
+    const std::optional<ShownRuns>& runs() const { return runs_; }
     bool is_making_challenge() const { return maker_.is_busy(); }
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
@@ -134,6 +138,8 @@ class App {
     void fit_hand();
     void trace_goal();
     void trace_dam();
+    void trace_runs();
+    void open_run(std::int64_t run);
     render::Camera home() const;
     void tell_camera_mode();
     void begin_stroke();
@@ -200,6 +206,7 @@ class App {
 
     BestList best_list_;
     Ghost ghost_;
+    std::optional<ShownRuns> runs_;
 
     Tutorial tutorial_;
 

@@ -123,6 +123,7 @@ void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
     if (set.display.tier != display_.tier) image_.end_trial();
     display_ = set.display;
+    if (runs_) runs_->choose(display_.probability);
 }
 void App::perform(const Open& open) {
     open_or_tell(open.name_or_path, open.overrides);
@@ -410,6 +411,25 @@ void App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     if (const auto begun = begin_afresh(std::move(*loaded)); !begun) warn(begun.error().sentence);
 }
 
+void App::show_runs(Runs runs) {
+    runs_.emplace(std::move(runs));
+    display_.overlay = render::Overlay::kProbability;
+    display_.probability = 0;
+    lookout_.enter(runs_->view(home(), sandbox_->session().view()), sandbox_->session().view());
+    ui_.perform(Verb::kToggleDisplay);  // its legend
+    pause(true);                        // it would flow over its own picture
+    tell("Colours: in how many runs a place was hit. Dots: where runs ended; click one to open its run");
+}
+
+// In the colours of its material, because those of the probability would hide it.
+void App::open_run(std::int64_t run) {
+    auto loaded = runs_->world_of(run);
+    if (!loaded) return warn(loaded.error().sentence);
+    if (const auto begun = begin_afresh(std::move(*loaded)); !begun) return warn(begun.error().sentence);
+    runs_->open(run);
+    display_.overlay = render::Overlay::kNone;
+}
+
 Outcome<void> App::begin_afresh(LoadedWorld loaded) {
     const TickClock before = std::exchange(time_.clock(), {});
     auto begun = begin_world(std::move(loaded), std::nullopt);
@@ -426,7 +446,10 @@ Outcome<void> App::close_recording() {
 Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem::path> record,
                                std::optional<Backdrop> backdrop) {
     // Reset keeps brush and camera; a different terrain does not. Another scene on the same ground has its own camera.
-    const bool same = sandbox_ && ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario);
+    // Runs may release something else on the same ground.
+    const bool of_runs = runs_ && runs_->is_of(loaded.scene.scenario);
+    const bool same =
+        sandbox_ && (of_runs || ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario));
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
     if (const auto& flow = loaded.scene.scenario.look.flow)
         if (auto ready = image_.load(flow->pattern); !ready) return ready;
@@ -448,6 +471,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
             file_.stop(closed.error());
             warn(closed.error().sentence);
         }
+    if (!of_runs) runs_.reset();
     sandbox_ = std::move(*begun);
     first_ = std::move(loaded);
     open_ = {};

@@ -220,7 +220,8 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image) {
                     .structures = &session.structures(),
                     .wind = scenario.wind,
                     .seconds = session.seconds(),
-                    .extent = subject.extent});
+                    .extent = subject.extent,
+                    .probability = subject.probability});
 }
 
 // What was shown is drawn again afterwards, so that the next frame can go on from it.

@@ -39,6 +39,7 @@ class WorldImage {
         const render::Surroundings& surroundings;
         const render::Woods& woods;
         std::span<const std::uint8_t> extent;  // of the best run, or empty
+        std::span<const float> probability;    // of the runs that are shown, or empty
     };
     // When it is drawn.
     struct Moment {

@@ -5,6 +5,7 @@
 #include "game/app/window.h"
 #include "game/base/print.h"
 #include "game/commands/commands.h"
+#include "game/commands/runs_of_ensemble.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/files/ui_font.h"
@@ -50,10 +51,19 @@ Outcome<int> play(const PlayOptions& options) {
     std::optional<Remembered> led;
     if (options.what.empty()) led = remembered_guide();
     const bool watches = led && led->guide.step() == Guide::Step::kWatch && !options.record;
-    auto loaded = open_anything(!options.what.empty() ? options.what
-                                : watches             ? Guide::kSlide
-                                                      : Guide::kMountain,
-                                overrides);
+    std::optional<Runs> runs;
+    if (options.ensemble && options.what.empty())
+        return unusable("--ensemble needs the file of the ensemble: couloir play SPEC.toml --ensemble DIR");
+    if (options.ensemble) {
+        auto read = runs_of_ensemble(options.what, *options.ensemble, overrides);
+        if (!read) return tl::unexpected(read.error());
+        runs = std::move(*read);
+    }
+    auto loaded = runs ? Outcome<LoadedWorld>(runs->world)
+                       : open_anything(!options.what.empty() ? options.what
+                                       : watches             ? Guide::kSlide
+                                                             : Guide::kMountain,
+                                       overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
     if (auto sound =
@@ -75,6 +85,7 @@ Outcome<int> play(const PlayOptions& options) {
     auto app =
         App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier, led);
     if (!app) return tl::unexpected(app.error());
+    if (runs) (*app)->show_runs(std::move(*runs));
     if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "game/controls/tier.h"
 #include "render/frame/marks.h"
 #include "render/view/look.h"
@@ -20,6 +22,8 @@ struct Display {
     bool surroundings = true;       // mountains around the grid; else a block cut from them
     bool trees = true;              // the scene's trees
     bool ghost = true;              // the outline of the best run of a challenge
+    std::size_t probability = 0;    // which of the runs that are shown
+    bool ends = true;               // where its runs ended
     float powder = 1;               // 0 to 1, strength of powder and dust
     Tier tier = Tier::kFast;        // what an image may lose while something moves
     double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full

@@ -26,6 +26,10 @@ struct EnsembleResult {
     bool interrupted = false;
 };
 
+// What the folder has by now, for a view: it writes nothing, and may be read while the members are played. `spec` outlives it.
+// Errors: there are no results; those of read_journal(); damaged counts (status 2).
+Outcome<EnsembleResult> read_ensemble(const EnsembleSpec& spec, const std::filesystem::path& folder);
+
 // Plays the members that the folder lacks, each on one of `threads` threads or, if this is rank 0 of several processes, on
 // another of these, with progress. What they come to does not depend on their order, on threads, on processes, or on how often
 // the work was ended and begun again: the journal has each finished member at once, the counts follow every ten seconds, and

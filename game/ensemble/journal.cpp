@@ -20,21 +20,13 @@ std::string header_of(const EnsembleSpec& spec) {
 
 }  // namespace
 
-Outcome<Journal> Journal::open(const std::filesystem::path& path, const EnsembleSpec& spec) {
-    if (auto placed = make_folder(path.parent_path()); !placed) return tl::unexpected(placed.error());
-    std::string text;
-    auto file = files::AppendedFile::open(path, kMostJournalBytes, text);
-    if (!file) return machine_fails(file.error());
-    Journal journal(path, std::move(*file));
-    if (auto read = journal.read(text, spec); !read) return tl::unexpected(read.error());
-    return journal;
-}
-
-Outcome<void> Journal::read(const std::string& text, const EnsembleSpec& spec) {
+Outcome<JournalText> read_journal(const std::string& text, const std::string& name,
+                                  const EnsembleSpec& spec) {
     const std::string header = header_of(spec);
     const auto wrong = [&](std::size_t line, const std::string& fact) {
-        return unusable(fmt::format("{}:{}: {}", path_.string(), line, fact));
+        return unusable(fmt::format("{}:{}: {}", name, line, fact));
     };
+    JournalText read;
     std::size_t begin = 0, number = 0;
     for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
         const std::string line = text.substr(begin, end - begin);
@@ -53,20 +45,34 @@ Outcome<void> Journal::read(const std::string& text, const EnsembleSpec& spec) {
         if (member->sample.size() != spec.variables.size())
             return wrong(number, "has another number of variables");
         const std::int64_t of = member->number;
-        if (!members_.emplace(of, std::move(*member)).second)
+        if (!read.members.emplace(of, std::move(*member)).second)
             return wrong(number, fmt::format("has member {} a second time", of));
     }
-    dropped_ = text.size() - begin;
-    if (dropped_ > 0 && number == 0 && !header.starts_with(text))
+    read.torn = text.size() - begin;
+    read.has_begun = number > 0;
+    if (read.torn > 0 && !read.has_begun && !header.starts_with(text))
         return wrong(1, "is not the journal of an ensemble");
-    if (auto cut = file_.cut(begin); !cut) return machine_fails(cut.error());
-    if (number > 0) return {};
-    if (auto written = file_.add(header + '\n'); !written) return machine_fails(written.error());
-    return {};
+    return read;
+}
+
+Outcome<Journal> Journal::open(const std::filesystem::path& path, const EnsembleSpec& spec) {
+    if (auto placed = make_folder(path.parent_path()); !placed) return tl::unexpected(placed.error());
+    std::string text;
+    auto file = files::AppendedFile::open(path, kMostJournalBytes, text);
+    if (!file) return machine_fails(file.error());
+    auto read = read_journal(text, path.string(), spec);
+    if (!read) return tl::unexpected(read.error());
+    Journal journal(path, std::move(*file), std::move(*read));
+    if (auto cut = journal.file_.cut(text.size() - journal.read_.torn); !cut)
+        return machine_fails(cut.error());
+    if (journal.read_.has_begun) return journal;
+    if (auto written = journal.file_.add(header_of(spec) + '\n'); !written)
+        return machine_fails(written.error());
+    return journal;
 }
 
 Outcome<void> Journal::add(const Member& member) {
-    if (const auto earlier = members_.find(member.number); earlier != members_.end()) {
+    if (const auto earlier = read_.members.find(member.number); earlier != read_.members.end()) {
         if (line_of(earlier->second) == line_of(member)) return {};
         return tl::unexpected(
             Failure{Failure::kBadAnswer,
@@ -75,7 +81,7 @@ Outcome<void> Journal::add(const Member& member) {
                                 path_.string(), member.number, earlier->second.hash, member.hash)});
     }
     if (auto written = file_.add(line_of(member) + '\n'); !written) return machine_fails(written.error());
-    members_.emplace(member.number, member);
+    read_.members.emplace(member.number, member);
     return {};
 }
 

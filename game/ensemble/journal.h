@@ -12,29 +12,36 @@
 
 namespace game {
 
+// What the text of a journal has.
+struct JournalText {
+    std::map<std::int64_t, Member> members;
+    std::size_t torn = 0;    // bytes of a last line without an end
+    bool has_begun = false;  // has its first line
+};
+// Errors: it is of another ensemble, or damaged before its last line (status 2), with `name` and line.
+Outcome<JournalText> read_journal(const std::string& text, const std::string& name, const EnsembleSpec& spec);
+
 // The finished members of an ensemble, a line each in the order in which they finished, in a file that survives a
 // `kill -9` up to its last whole line. One process writes it at a time.
 class Journal {
   public:
-    // Opens or begins the journal of this ensemble. Errors: another process writes it (status 3); it is of another
-    // ensemble, or damaged before its last line (status 2); it cannot be written (status 3).
+    // Opens or begins the journal of this ensemble. Errors: those of read_journal(); another process writes it, or it cannot
+    // be written (status 3).
     static Outcome<Journal> open(const std::filesystem::path& file, const EnsembleSpec& spec);
 
     // Flushed to the system before it returns. A member that it has already must have come to the same: else status 1.
     Outcome<void> add(const Member& member);
-    const std::map<std::int64_t, Member>& members() const { return members_; }
+    const std::map<std::int64_t, Member>& members() const { return read_.members; }
     // Bytes of a line that was cut off by the end of an earlier process, and are gone.
-    std::size_t dropped() const { return dropped_; }
+    std::size_t dropped() const { return read_.torn; }
 
   private:
-    Journal(std::filesystem::path path, files::AppendedFile file)
-        : path_(std::move(path)), file_(std::move(file)) {}
-    Outcome<void> read(const std::string& text, const EnsembleSpec& spec);
+    Journal(std::filesystem::path path, files::AppendedFile file, JournalText read)
+        : path_(std::move(path)), file_(std::move(file)), read_(std::move(read)) {}
 
     std::filesystem::path path_;
     files::AppendedFile file_;
-    std::map<std::int64_t, Member> members_;
-    std::size_t dropped_ = 0;
+    JournalText read_;  // and what was added since
 };
 
 }  // namespace game

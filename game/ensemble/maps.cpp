@@ -12,6 +12,7 @@
 #include "game/analysis/measures.h"
 #include "game/compare/map_page.h"
 #include "game/ensemble/results.h"
+#include "render/frame/marks.h"
 
 namespace game {
 namespace {
@@ -46,10 +47,14 @@ std::vector<Class> classes_from(const std::vector<float>& bounds, bool dark_is_l
     return classes;
 }
 
+// Those of the window, but that every run of many counts.
 std::vector<Class> classes_of_probability() {
-    std::vector<Class> classes = classes_from({0, 5, 25, 50, 75, 95}, true, "%");
+    std::vector<float> bounds;
+    for (const render::LegendStop& stop : render::legend_of(render::Overlay::kProbability).stops)
+        bounds.push_back(stop.value);
+    std::vector<Class> classes = classes_from(bounds, true, "%");
     for (Class& each : classes) each.least /= 100;
-    classes.front().least = 1e-6f, classes.front().words = "below 5 %";
+    classes.front().least = 1e-6f, classes.front().words = fmt::format("below {:g} %", bounds[1]);
     return classes;
 }
 

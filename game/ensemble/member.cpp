@@ -26,7 +26,8 @@ struct Figure {
 constexpr Figure kFigures[] = {{"seconds", &Member::seconds},     {"released", &Member::released},
                                {"run_out", &Member::run_out},     {"fall", &Member::fall},
                                {"extent", &Member::extent},       {"eroded", &Member::eroded},
-                               {"top_speed", &Member::top_speed}, {"thickness", &Member::thickness}};
+                               {"top_speed", &Member::top_speed}, {"thickness", &Member::thickness},
+                               {"toe_x", &Member::toe_x},         {"toe_y", &Member::toe_y}};
 
 double released_by(const Session& session) {
     return session.cubic_metres(session.state().ledger.rolling);
@@ -114,6 +115,7 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
     member.ended = to_string(*ended);
     member.seconds = session->seconds();
     member.run_out = measures.run_out, member.fall = measures.fall;
+    member.toe_x = measures.toe.x, member.toe_y = measures.toe.y;
     member.extent = measures.extent_area;
     member.eroded = measures.eroded;
     member.top_speed = measures.peak_speed_slope;

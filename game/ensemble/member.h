@@ -20,11 +20,13 @@ struct Member {
     double seconds = 0;
     double released = 0;           // m³ that rolled at tick 0
     double run_out = 0, fall = 0;  // m
-    double extent = 0;             // m²
-    double eroded = 0;             // m³
-    double top_speed = 0;          // m/s, along the slope
-    double thickness = 0;          // m, normal to the slope: the greatest
-    std::string hash;              // of its last state
+    double toe_x = 0,
+           toe_y = 0;      // m east and north of the south-west vertex: the farthest place that it reached
+    double extent = 0;     // m²
+    double eroded = 0;     // m³
+    double top_speed = 0;  // m/s, along the slope
+    double thickness = 0;  // m, normal to the slope: the greatest
+    std::string hash;      // of its last state
     bool operator==(const Member&) const = default;
 };
 

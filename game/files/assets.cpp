@@ -43,9 +43,8 @@ Outcome<fs::path> assets_folder() {
     for (fs::path above = own; above.has_relative_path(); above = above.parent_path())
         for (const char* place : {"assets", "share/couloir"})
             if (fs::is_directory(above / place / "shaders", error)) return above / place;
-    return machine_fails(
-        fmt::format("{}: no assets folder beside the program or above it; set COULOIR_ASSETS to its path",
-                    own.string()));
+    return machine_fails(fmt::format(
+        "{}: no assets folder beside the program or above it; set COULOIR_ASSETS to its path", own.string()));
 }
 
 Outcome<std::vector<std::string>> asset_names(AssetKind kind) {

@@ -158,7 +158,7 @@ TrackRule rule_from(const TrackArguments& arguments) {
     check_within(rule.threshold, TrackRule::kLeast, TrackRule::kMost, "threshold");
     check_within(rule.jump, TrackRule::kLeast, TrackRule::kMost, "jump");
     check_within(rule.level, -TrackRule::kFarthestLevel, TrackRule::kFarthestLevel, "level");
-    value_of(complete(rule, rule.source == sim::front::PointSource::kLevel));
+    value_of(complete(rule, rule.source == sim::front::PointSource::kLevel, ""));
     return rule;
 }
 

@@ -14,7 +14,7 @@ struct OverlayName {
     render::Overlay overlay;
     const char* name;
 };
-constexpr std::array<OverlayName, 7> kOverlays{{
+constexpr std::array<OverlayName, 8> kOverlays{{
     {render::Overlay::kNone, "material"},
     {render::Overlay::kSlope, "slope"},
     {render::Overlay::kStanding, "standing depth"},
@@ -22,20 +22,39 @@ constexpr std::array<OverlayName, 7> kOverlays{{
     {render::Overlay::kSpeed, "speed in plan"},
     {render::Overlay::kPressure, "pressure"},
     {render::Overlay::kStretch, "texture stretch"},
+    {render::Overlay::kProbability, "probability"},  // the last one, because only many runs have it
 }};
+
+// Which probability of the runs is shown.
+bool probability(Desk& desk, const RunsNote& runs, Display& display) {
+    bool changed = false;
+    if (display.overlay == render::Overlay::kProbability) {
+        int chosen = static_cast<int>(runs.chosen);
+        desk.widgets.row("Probability");
+        changed = desk.widgets.choice("Probability", chosen, static_cast<int>(runs.maps),
+                                      "The share of runs in which a place felt this.",
+                                      [&](int i) { return runs.map_name(static_cast<std::size_t>(i)); });
+        if (changed) display.probability = static_cast<std::size_t>(chosen);
+    }
+    changed |= desk.widgets.toggle("End points", display.ends,
+                                   "Where the runs ended; a click on one opens its run.");
+    return changed;
+}
 
 bool colours(Desk& desk, const Facts& facts, Display& display) {
     int chosen = 0;
     for (std::size_t i = 0; i < kOverlays.size(); ++i)
         if (kOverlays[i].overlay == display.overlay) chosen = static_cast<int>(i);
     desk.widgets.row("Colour by");
-    bool changed = desk.widgets.choice("Colour by", chosen, static_cast<int>(kOverlays.size()),
-                                       "Quantity shown by the colours of the ground.",
-                                       [](int i) { return kOverlays[static_cast<std::size_t>(i)].name; });
+    const auto count = static_cast<int>(kOverlays.size()) - (facts.runs ? 0 : 1);
+    bool changed =
+        desk.widgets.choice("Colour by", chosen, count, "Quantity shown by the colours of the ground.",
+                            [](int i) { return kOverlays[static_cast<std::size_t>(i)].name; });
     if (changed) display.overlay = kOverlays[static_cast<std::size_t>(chosen)].overlay;
     draw_legend(render::legend_of(display.overlay), desk.em(), *desk.widgets.letters.small);
     if (display.overlay == render::Overlay::kPressure && !densities_of(facts.scenario))
         desk.widgets.dim("Pressure needs the density of every material, and a file here has none.");
+    if (facts.runs) changed |= probability(desk, *facts.runs, display);
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
     changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
                                    "Shows the texture mesh, cut along the fronts, and the front points.");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -100,6 +101,25 @@ struct DamNote {
     double volume = 0;  // m³ of earth
 };
 
+// Where some of many runs ended.
+struct RunEnd {
+    glm::dvec2 at{0};      // px from the top left
+    std::size_t runs = 1;  // that ended there
+    bool is_open = false;  // the world in the window is that of one of them
+};
+// The runs that are shown, with their probabilities.
+struct RunsNote {
+    std::function<const char*(std::size_t)> map_name;  // what a probability is of
+    std::size_t maps = 0, chosen = 0;
+    std::span<const RunEnd> ends;
+    struct Under {
+        glm::dvec2 at{0};  // px from the top left
+        std::string_view words;
+    };
+    std::optional<Under> under = {};         // the end under the cursor
+    std::optional<double> probability = {};  // of the ground under the cursor, 0 to 1
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -118,6 +138,7 @@ struct Facts {
     std::optional<DamNote> dam = {};
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
+    std::optional<RunsNote> runs = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;

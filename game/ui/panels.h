@@ -89,6 +89,7 @@ void hint(Desk& desk, const Facts& facts);
 void bare_ground(Desk& desk, const Facts& facts, Actions& actions);  // instead of a hint
 void stroke_note(Desk& desk, const Facts& facts);
 void dam(Desk& desk, const Facts& facts);
+void run_ends(Desk& desk, const Facts& facts);
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
 void opening(Desk& desk, const Facts& facts);  // instead of all others

@@ -92,6 +92,8 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
     if (reading.pressure) widgets.fact("Pressure", "%.1f kPa", *reading.pressure);
     things(desk, reading);
+    if (facts.runs && facts.runs->probability)
+        widgets.fact("Probability", "%.1f %%", 100 * *facts.runs->probability);
 }
 
 // Latitude and longitude on one line, UTM on the next.

@@ -182,6 +182,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         guide(desk, facts, actions);
         dam(desk, facts);
         challenge(desk, facts, actions);
+        run_ends(desk, facts);
         stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);

@@ -49,6 +49,9 @@ struct FrameInput {
     // A part of the ground whose outline marks.extent draws: 255 inside and 0 outside, one value per vertex, row 0 the
     // south; valid during the call. Not empty if marks.extent is not 0.
     std::span<const std::uint8_t> extent = {};
+    // How likely something is at each vertex, 0 to 1, or NaN where nothing is known; row 0 the south; valid during the call.
+    // Not empty if marks.probability is not 0.
+    std::span<const float> probability = {};
 
     // Which parts it has.
     bool flows() const { return look.flow && flow; }

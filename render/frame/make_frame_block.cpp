@@ -19,6 +19,7 @@ static_assert(OVERLAY_ROLLING == static_cast<int>(Overlay::kRolling));
 static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
 static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 static_assert(OVERLAY_PRESSURE == static_cast<int>(Overlay::kPressure));
+static_assert(OVERLAY_PROBABILITY == static_cast<int>(Overlay::kProbability));
 
 constexpr double kWidestDetail = 600;  // m, least width of a tile of the broadest detail
 constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
@@ -104,7 +105,7 @@ void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, doubl
     if (marks.extent != 0) block.contours.z = 1;
     const Legend legend = legend_of(marks.overlay);
     block.overlay = {static_cast<int>(marks.overlay), static_cast<int>(legend.stops.size()), legend.stepped,
-                     0};
+                     marks.overlay == Overlay::kProbability ? marks.probability : 0};
     block.density = glm::vec4(marks.density, 0, 0);
     for (std::size_t i = 0; i < legend.stops.size(); ++i)
         block.stops[i] = glm::vec4(legend.stops[i].colour, legend.stops[i].value);

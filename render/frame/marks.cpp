@@ -60,8 +60,19 @@ constexpr std::array<LegendStop, 5> kPressure{{
     {100, {0.29f, 0.00f, 0.37f}},
 }};
 
+// Classes of a probability, viridis again, but dark is likely: even one run of many shows.
+constexpr std::array<LegendStop, 6> kProbability{{
+    {0.5f, {0.993f, 0.906f, 0.144f}},
+    {5, {0.478f, 0.821f, 0.318f}},
+    {25, {0.135f, 0.659f, 0.518f}},
+    {50, {0.164f, 0.471f, 0.558f}},
+    {75, {0.254f, 0.265f, 0.530f}},
+    {95, {0.267f, 0.005f, 0.329f}},
+}};
+
 static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS &&
-              kStretch.size() <= MOST_STOPS && kPressure.size() <= MOST_STOPS);
+              kStretch.size() <= MOST_STOPS && kPressure.size() <= MOST_STOPS &&
+              kProbability.size() <= MOST_STOPS);
 
 }  // namespace
 
@@ -78,6 +89,8 @@ Legend legend_of(Overlay overlay) {
             return {kStretch, ": 1", false};
         case Overlay::kPressure:
             return {kPressure, "kPa", true};
+        case Overlay::kProbability:
+            return {kProbability, "%", true};
         case Overlay::kNone:
             break;
     }

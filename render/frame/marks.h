@@ -14,12 +14,13 @@ namespace render {
 // A quantity that colours the ground in place of its material.
 enum class Overlay {
     kNone,
-    kSlope,     // classes of the surface's steepness, in the colours of avalanche services
-    kStanding,  // depth of the standing layer
-    kRolling,   // depth of the rolling layer
-    kSpeed,     // of the rolling layer, in plan
-    kStretch,   // distortion of the textures that a flow advects: greatest over least stretch
-    kPressure,  // impact pressure ρ v² of the rolling layer, v along the slope; needs Marks::density
+    kSlope,        // classes of the surface's steepness, in the colours of avalanche services
+    kStanding,     // depth of the standing layer
+    kRolling,      // depth of the rolling layer
+    kSpeed,        // of the rolling layer, in plan
+    kStretch,      // distortion of the textures that a flow advects: greatest over least stretch
+    kPressure,     // impact pressure ρ v² of the rolling layer, v along the slope; needs Marks::density
+    kProbability,  // of FrameInput::probability; needs Marks::probability
 };
 
 // A circle around a place, draped on the surface.
@@ -50,6 +51,8 @@ struct Marks {
     std::optional<Outline> outline = std::nullopt;
     // Not 0: a dashed line around FrameInput::extent, of which another one has another number.
     std::int64_t extent = 0;
+    // Not 0: there is a FrameInput::probability, of which another one has another number.
+    std::int32_t probability = 0;
     glm::vec2 density{0};  // kg/m³, of the upper and the lower material, for kPressure; 0 if unknown
     bool operator==(const Marks&) const = default;
 

@@ -11,6 +11,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "game/analysis/headless.h"
+#include "game/commands/runs_of_ensemble.h"
+#include "game/ensemble/ensemble.h"
+#include "game/recording/format.h"
 #include "game/recording/reader.h"
 #include "game/session/verifier.h"
 #include "game/ui/scene_pictures.h"
@@ -1815,6 +1818,84 @@ TEST_F(Sending, says_that_a_slide_has_come_to_rest_and_how_to_share_it) {
     screen_.resize_to(160, 90);
     wait_until_told("come to rest");
     EXPECT_NE(last_notice().find("F10"), std::string::npos) << last_notice();
+}
+
+// An ensemble over its world.
+class PlayingAnEnsemble : public Playing {
+  protected:
+    void begin_ensemble() {
+        const std::filesystem::path spec = folder_.path() / "spec.toml", out = folder_.path() / "out";
+        std::ofstream(spec) << "scene = \"landslide\"\ngrid = 20\nseconds = 30\nmembers = 6\n"
+                               "[[variable]]\nof = \"friction\"\nuniform = [0.1, 0.4]\n"
+                               "[[map]]\nof = \"thickness\"\nover = [0.1, 1]\n";
+        const auto read = read_ensemble_spec(spec, {});
+        ASSERT_TRUE(read) << read.error().sentence;
+        ASSERT_TRUE(run_ensemble(*read, out, 2));
+        auto shown = runs_of_ensemble(spec, out, {});
+        ASSERT_TRUE(shown) << shown.error().sentence;
+        auto begun = App::begin(screen_, shown->world, sim::StepOptions{}, std::nullopt, tier_);
+        ASSERT_TRUE(begun) << begun.error().sentence;
+        app_ = std::move(*begun);
+        app_->show_runs(std::move(*shown));
+        frames(3);
+    }
+    ui::RunsNote note() const { return app_->runs()->note(std::nullopt); }
+};
+
+TEST_F(PlayingAnEnsemble, opens_the_run_whose_end_is_clicked) {
+    screen_.resize_to(1280, 720);
+    begin_ensemble();
+    EXPECT_EQ(app_->display().overlay, render::Overlay::kProbability);
+    EXPECT_TRUE(app_->clock().paused());
+    EXPECT_EQ(note().maps, 2u);
+    std::size_t runs = 0;
+    for (const ui::RunEnd& end : note().ends) runs += end.runs;
+    EXPECT_EQ(runs, 6u) << "all ends are in view when it is opened";
+    const glm::dvec2 at = note().ends.front().at;
+    EXPECT_LT(at.y, 620) << "above the time bar";
+    screen_.move(at.x, at.y);
+    frames(2);
+    ASSERT_TRUE(note().under);
+    EXPECT_NE(note().under->words.find("Click: run"), std::string_view::npos) << note().under->words;
+    const auto picture = screen_.picture();
+    screen_.press(Button::kLeft);
+    frames(1);
+    screen_.release(Button::kLeft);
+    frames(2);
+
+    const std::string& title = app_->sandbox().scenario().title;
+    ASSERT_NE(title.find("member "), std::string::npos) << title;
+    const std::int64_t number = std::stoll(title.substr(title.find("member ") + 7));
+    const auto read = read_ensemble_spec(folder_.path() / "spec.toml", {});
+    EXPECT_FLOAT_EQ(app_->sandbox().scenario().params.friction, static_cast<float>(read->sample(number)[0]));
+    EXPECT_EQ(app_->display().overlay, render::Overlay::kNone);
+    EXPECT_FALSE(app_->clock().paused());
+    EXPECT_TRUE(std::ranges::any_of(note().ends, &ui::RunEnd::is_open));
+    EXPECT_NE(screen_.picture().pixels, picture.pixels);
+    // What it comes to is what the journal says of it.
+    const auto result = read_ensemble(*read, folder_.path() / "out");
+    ASSERT_TRUE(result);
+    auto session = Session::begin(app_->sandbox().scenario(), {}, std::nullopt);
+    Until until;
+    until.rest = Until::Rest::kEnergy;
+    until.most_ticks = 30 * 60;
+    ASSERT_TRUE(play_headless(*session, read->scene.commands, until, {}, ""));
+    EXPECT_EQ(hex(session->state_line().hash), result->members.at(number).hash);
+}
+
+TEST_F(PlayingAnEnsemble, shows_it_until_a_world_on_other_ground_is_opened) {
+    screen_.resize_to(1280, 720);
+    begin_ensemble();
+    const auto with_ends = screen_.picture();
+    click("End points");
+    EXPECT_FALSE(app_->display().ends);
+    screen_.move(1270, 300);
+    frames(2);
+    EXPECT_NE(screen_.picture().pixels, with_ends.pixels);
+    screen_.drop({support::source_dir() / "assets/scenes/landslide.toml"});  // as fine as the scene has it
+    frames(2);
+    EXPECT_FALSE(app_->runs());
+    EXPECT_EQ(app_->sandbox().scenario().scene, "landslide");
 }
 
 }  // namespace

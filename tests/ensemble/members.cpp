@@ -199,6 +199,29 @@ TEST_F(Ensemble, ends_with_a_sentence_where_a_member_comes_out_otherwise_than_be
         << failure.sentence;
 }
 
+TEST_F(Ensemble, is_read_for_a_view_without_a_trace) {
+    const EnsembleSpec eight = spec();
+    const auto none = read_ensemble(eight, at("out"));
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().status, Failure::kUnusable);
+    EXPECT_NE(none.error().sentence.find("has no results"), std::string::npos) << none.error().sentence;
+    const auto files = results(eight, "out", 2);
+    const std::string whole = journal("out"), torn = whole + "{\"member\":9";
+    ASSERT_TRUE(write_text(at("out") / kJournalName, torn));
+    const auto read = read_ensemble(eight, at("out"));
+    ASSERT_TRUE(read) << read.error().sentence;
+    EXPECT_EQ(read->members.size(), 8u);
+    EXPECT_EQ(read->counts.members(), 8);
+    EXPECT_EQ(read->counts.bytes(eight.identity), files.at(kCountsName));
+    EXPECT_EQ(journal("out"), torn);
+    const auto again = run_ensemble(eight, at("out"), 1);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->members, read->members) << "with the places where they ended";
+    const auto smaller = read_ensemble(spec(3), at("out"));
+    ASSERT_FALSE(smaller);
+    EXPECT_EQ(smaller.error().status, Failure::kUnusable);
+}
+
 TEST_F(Ensemble, has_one_writer) {
     const EnsembleSpec few = spec(2);
     const auto first = Journal::open(at("out") / kJournalName, few);

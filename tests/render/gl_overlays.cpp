@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tests/render/gl_scene.h"
@@ -124,6 +126,37 @@ TEST_F(Overlays, of_pressure_have_the_colour_of_the_class_of_density_times_speed
     EXPECT_TRUE(alike(shot(flow, Overlay::kPressure), shot(flow, Overlay::kNone))) << "unknown density";
 }
 
+TEST_F(Overlays, of_probability_have_the_colour_of_the_class_and_follow_the_field_that_they_are_given) {
+    const World world = level();
+    std::vector<float> field(world.grid.size());
+    const auto seen = [&](std::int32_t number) {
+        Marks marks;
+        marks.overlay = Overlay::kProbability;
+        marks.probability = number;
+        renderer_->draw({.world = world.view(),
+                         .camera = from_above({80, 80, 0}, 8),
+                         .look = plain_look(),
+                         .marks = marks,
+                         .width = 96,
+                         .height = 96,
+                         .probability = field});
+        return mean_colour(renderer_->read_back(), 48, 48, 10);
+    };
+    const auto stops = legend_of(Overlay::kProbability).stops;
+    std::int32_t number = 0;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        std::ranges::fill(field, (stops[i].value + 0.1f) / 100);
+        const Colour colour = seen(++number);
+        EXPECT_LT(colour_distance(colour, of_legend(stops[i])), 5) << stops[i].value;
+        std::ranges::fill(field, 1.f);
+        EXPECT_EQ(seen(number), colour) << "of the same number, so that it is not looked at";
+    }
+    const Colour plain = middle(world, Overlay::kNone);
+    std::ranges::fill(field, std::numeric_limits<float>::quiet_NaN());
+    EXPECT_LT(colour_distance(seen(++number), plain), 1) << "nothing is known";
+    EXPECT_LT(colour_distance(seen(0), plain), 1) << "there is none";
+}
+
 TEST_F(Overlays, of_depth_and_speed_do_not_colour_bare_or_resting_ground) {
     const World bare = level();
     for (const Overlay overlay : {Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed})
@@ -156,8 +189,8 @@ TEST_F(Overlays, show_the_shape_of_the_ground_by_its_shade) {
 }
 
 TEST_F(Overlays, have_stops_distinguishable_in_all_colour_vision) {
-    for (const Overlay overlay :
-         {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed, Overlay::kPressure}) {
+    for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed,
+                                  Overlay::kPressure, Overlay::kProbability}) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 1; i < stops.size(); ++i) {
             const Colour a = of_legend(stops[i - 1]), b = of_legend(stops[i]);
