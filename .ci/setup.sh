@@ -37,8 +37,8 @@ tests|libgtest-dev|GoogleTest|header gtest/gtest.h
 tests|libbenchmark-dev|Google Benchmark|header benchmark/benchmark.h
 tests|libopenmpi-dev|MPI headers, for ensembles on many machines|program mpicxx
 tests|openmpi-bin|starts a program many times|program mpirun
-tests|pybind11-dev|pybind11 headers, for `import couloir`|header pybind11/pybind11.h
-tests|python3-dev|Python's headers|program python3-config
+tests|pybind11-dev|pybind11 headers, for import couloir|header pybind11/pybind11.h
+tests|python3-dev|headers of Python|program python3-config
 tests|python3-numpy|NumPy|
 tests|xvfb|a display without a screen|program Xvfb
 tests|xdotool|a mouse and a keyboard without hands|program xdotool

@@ -39,22 +39,23 @@ TEST_F(Ensemble, has_the_same_results_on_any_number_of_threads_and_after_any_end
     const auto alone = results(eight, "alone", 1);
     ASSERT_EQ(alone.size(), 12u);  // members.csv, ensemble.json, report.html, counts.bin, and four maps twice
     EXPECT_EQ(results(eight, "together", 3), alone);
+    const auto kept = played(eight, "alone", 1);
 
     // A process that was killed: some members are in the journal, one of them in part, and none in the counts.
     const std::string lines = journal("alone");
     ASSERT_TRUE(write_text(at("killed") / kJournalName, lines.substr(0, lines.size() * 2 / 3)));
-    EXPECT_EQ(results(eight, "killed", 2), alone);
+    EXPECT_EQ(played(eight, "killed", 2), kept);
     // The same, with counts that lack members of the journal.
     ASSERT_TRUE(run_ensemble(spec(3), at("later"), 1));
     fs::copy_file(at("alone") / kJournalName, at("later") / kJournalName,
                   fs::copy_options::overwrite_existing);
-    EXPECT_EQ(results(eight, "later", 2), alone);
+    EXPECT_EQ(played(eight, "later", 2), kept);
     // More members go on where fewer ended.
     ASSERT_TRUE(run_ensemble(spec(5), at("grown"), 2));
     const auto grown = run_ensemble(eight, at("grown"), 2);
     ASSERT_TRUE(grown);
     EXPECT_EQ(grown->before, 5);
-    EXPECT_EQ(results(eight, "grown", 1), alone);
+    EXPECT_EQ(played(eight, "grown", 1), kept);
 }
 
 TEST_F(Ensemble, counts_what_its_members_passed) {
@@ -205,14 +206,14 @@ TEST_F(Ensemble, is_read_for_a_view_without_a_trace) {
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().status, Failure::kUnusable);
     EXPECT_NE(none.error().sentence.find("has no results"), std::string::npos) << none.error().sentence;
-    const auto files = results(eight, "out", 2);
+    const auto kept = played(eight, "out", 2);
     const std::string whole = journal("out"), torn = whole + "{\"member\":9";
     ASSERT_TRUE(write_text(at("out") / kJournalName, torn));
     const auto read = read_ensemble(eight, at("out"));
     ASSERT_TRUE(read) << read.error().sentence;
     EXPECT_EQ(read->members.size(), 8u);
     EXPECT_EQ(read->counts.members(), 8);
-    EXPECT_EQ(read->counts.bytes(eight.identity), files.at(kCountsName));
+    EXPECT_EQ(read->counts.bytes(eight.identity), kept.second);
     EXPECT_EQ(journal("out"), torn);
     const auto again = run_ensemble(eight, at("out"), 1);
     ASSERT_TRUE(again);
@@ -233,7 +234,7 @@ TEST_F(Ensemble, has_one_writer) {
 
 TEST_F(Ensemble, keeps_whole_lines_on_a_full_disk_and_goes_on_from_them) {
     const EnsembleSpec eight = spec();
-    const auto all = results(eight, "all", 1);
+    const auto all = played(eight, "all", 1);
     {
         const FullDisk disk(1500);
         const Failure failure = refused(eight, "full");
@@ -241,7 +242,7 @@ TEST_F(Ensemble, keeps_whole_lines_on_a_full_disk_and_goes_on_from_them) {
         EXPECT_NE(failure.sentence.find(kJournalName), std::string::npos) << failure.sentence;
     }
     EXPECT_EQ(journal("full").back(), '\n');
-    EXPECT_EQ(results(eight, "full", 2), all);
+    EXPECT_EQ(played(eight, "full", 2), all);
 }
 
 // A slope of 25° on which two squares may be released, and one that lies far away.
@@ -279,7 +280,7 @@ TEST_F(Region, releases_its_polygons_in_turn_and_tells_which_is_hardest) {
     const auto all = results(*each, "each", 1);
     EXPECT_TRUE(all.contains("areas_thickness_over_0.1.tif") && all.contains("hardest_polygon.tif"));
     EXPECT_NE(all.at("members.csv").find("polygon 3 of its release covers no ground"), std::string::npos);
-    EXPECT_EQ(results(*each, "again", 2), all);
+    EXPECT_EQ(played(*each, "again", 2), played(*each, "each", 1));
 
     const auto result = run_ensemble(*each, at("each"), 1);
     ASSERT_TRUE(result);
@@ -334,7 +335,7 @@ TEST_F(Ensemble, tells_members_that_cannot_run_and_counts_the_others) {
     EXPECT_EQ(faults, 3);
     EXPECT_EQ(result->counts.members(), 3);
     EXPECT_EQ(to_json(*steep, *result).at("could_not_run"), 3);
-    EXPECT_EQ(results(*steep, "out", 1), results(*steep, "again", 1)) << "they are not tried again";
+    EXPECT_EQ(played(*steep, "out", 1), played(*steep, "again", 1)) << "they are not tried again";
 }
 
 TEST(Spread, is_that_of_the_sorted_values) {

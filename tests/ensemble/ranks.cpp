@@ -87,10 +87,10 @@ class EnsembleOnRanks : public SmallEnsemble {
 };
 
 TEST_F(EnsembleOnRanks, has_the_same_results_as_on_one) {
-    const auto alone = results(spec(), "alone", 1);
+    const auto alone = played(spec(), "alone", 1);
     play({{spec(), 1}, {spec(), 2}}, [&](Ranks& ranks) {
-        EXPECT_EQ(results(spec(), "together", 1, &ranks), alone);
-        EXPECT_EQ(results(spec(), "together", 1, &ranks), alone) << "nothing is left to play";
+        EXPECT_EQ(played(spec(), "together", 1, &ranks), alone);
+        EXPECT_EQ(played(spec(), "together", 1, &ranks), alone) << "nothing is left to play";
     });
 }
 

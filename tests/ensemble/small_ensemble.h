@@ -54,6 +54,15 @@ class SmallEnsemble : public testing::Test {
         EXPECT_TRUE(write_results(at(name), of, *result));
         return files_in(name);
     }
+    // All that results are made of: members and counts. Costs no maps, which take longest.
+    std::pair<std::map<std::int64_t, Member>, std::string> played(const EnsembleSpec& of,
+                                                                  const std::string& name, int threads,
+                                                                  Ranks* ranks = nullptr) {
+        auto result = run_ensemble(of, at(name), threads, ranks);
+        EXPECT_TRUE(result) << result.error().sentence;
+        if (!result) return {};
+        return {std::move(result->members), result->counts.bytes(of.identity)};
+    }
     std::string journal(const std::string& name) { return read_text(at(name) / kJournalName).value(); }
 
     support::TemporaryFolder folder_;
