@@ -75,7 +75,7 @@ class World:
     def record(self, file: _Path) -> None:
         """Records all that follows, before the first step."""
     def finish(self) -> None:
-        """Ends the recording."""
+        """Ends the recording; the world goes on unrecorded."""
 
     # Commands: each acts at the start of the next tick. `help(World.pour)` has units and ranges.
     def pour(

@@ -1,4 +1,6 @@
 #include <exception>
+#include <string>
+#include <utility>
 
 #include "game/base/process.h"
 #include "game/base/version.h"
@@ -14,7 +16,7 @@ PYBIND11_MODULE(couloir, module) {
         py::exception<Error>(module, "Error").release();  // lives as long as Python
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
-            if (thrown) std::rethrow_exception(thrown);
+            if (thrown) std::rethrow_exception(std::move(thrown));
         } catch (const Error& refused) {
             py::object raised = error(std::string(refused.what()));
             raised.attr("status") = refused.status;

@@ -108,7 +108,9 @@ void World::record(const std::filesystem::path& file) {
 }
 
 void World::finish() {
-    value_of(session().recorder() != nullptr ? session_.finish() : Outcome<void>());
+    if (session().recorder() == nullptr) return;
+    value_of(session_.finish());
+    session_.stop_recording();
 }
 
 std::string World::hash() {

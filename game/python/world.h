@@ -28,7 +28,7 @@ class World {
     // Runs as `couloir run --until-rest` does: until the kinetic energy has fallen to 1 % of its greatest, or nothing moves,
     // or so many seconds of the world have passed. Returns what ended it.
     std::string run_until_rest(double most_seconds);
-    // Records from here on, if no tick has passed; finish() ends the file.
+    // Records from here on, if no tick has passed; finish() ends the file, and the world goes on unrecorded.
     void record(const std::filesystem::path& file);
     void finish();
 

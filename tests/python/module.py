@@ -82,7 +82,11 @@ class Worlds(Folder):
         world.step(50)
         world.finish()
         self.assertIn("exact", program("replay", self.folder / "mine.couloir", "--no-render", "--verify"))
-        self.assertTrue(couloir.replay(self.folder / "mine.couloir").verify())
+        world.step(5)
+        world.finish()
+        again = couloir.replay(self.folder / "mine.couloir")
+        self.assertTrue(again.verify())
+        self.assertEqual(again.ticks, 60)
 
     def test_fields_share_memory_and_cannot_be_written(self):
         world = sliding()
