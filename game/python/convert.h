@@ -65,6 +65,18 @@ Overrides overrides_from(const OpeningArguments& arguments);
 // Throws Error if so many are not allowed.
 int checked_threads(int threads);
 
+// Marks something as in use by a thread that is going to let others run. Made and unmade while it holds Python's lock.
+class Busy {
+  public:
+    explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
+    ~Busy() { flag_ = false; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+  private:
+    bool& flag_;
+};
+
 // Lets other threads of Python run while it exists. Long work calls look() now and then.
 class WhilePythonRuns {
   public:

@@ -313,6 +313,12 @@ class Member:
     def thickness(self) -> float:
         """m, normal to the slope, the greatest."""
     @property
+    def toe_x(self) -> float:
+        """m east of the south-west vertex: the farthest place that it reached."""
+    @property
+    def toe_y(self) -> float:
+        """m north of it."""
+    @property
     def hash(self) -> str:
         """Of its last state."""
 

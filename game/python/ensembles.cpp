@@ -69,6 +69,7 @@ class MembersInOrder {
     MembersInOrder& operator=(const MembersInOrder&) = delete;
 
     NamedMember next() {
+        if (is_waited_for_) throw refusal("another thread waits for the next member");
         while (next_ <= ensemble_->spec.members &&
                playing_.size() < static_cast<std::size_t>(ensemble_->threads)) {
             playing_.push_back(std::async(std::launch::async, [this, number = next_] {
@@ -78,6 +79,7 @@ class MembersInOrder {
             ++next_;
         }
         if (playing_.empty()) throw py::stop_iteration();
+        const Busy busy(is_waited_for_);
         WhilePythonRuns running;
         while (playing_.front().wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
             running.look();
@@ -88,6 +90,7 @@ class MembersInOrder {
 
   private:
     std::shared_ptr<const Ensemble> ensemble_;
+    bool is_waited_for_ = false;
     std::atomic<bool> stop_ = false;
     std::int64_t next_ = 1;
     std::deque<std::future<Outcome<PlayedMember>>> playing_;  // waited for when they are destroyed
@@ -117,6 +120,8 @@ void add_ensembles(py::module_& module) {
     add_number(member, "eroded", &Member::eroded);
     add_number(member, "top_speed", &Member::top_speed);
     add_number(member, "thickness", &Member::thickness);
+    add_number(member, "toe_x", &Member::toe_x);
+    add_number(member, "toe_y", &Member::toe_y);
     add_number(member, "hash", &Member::hash);
     member.def("__repr__", [](const NamedMember& self) {
         const Member& of = self.member;

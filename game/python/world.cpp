@@ -28,20 +28,6 @@ Session session_of(const Scene& scene, int threads) {
 
 }  // namespace
 
-class World::Stepping {
-  public:
-    explicit Stepping(World& world) : world_(world) {
-        static_cast<void>(world.session());
-        world.is_stepped_ = true;
-    }
-    ~Stepping() { world_.is_stepped_ = false; }
-    Stepping(const Stepping&) = delete;
-    Stepping& operator=(const Stepping&) = delete;
-
-  private:
-    World& world_;
-};
-
 World::World(Scene scene, int threads) : scene_(std::move(scene)), session_(session_of(scene_, threads)) {
     value_of(check_ahead(session_.state(), scene_.commands));
 }
@@ -70,7 +56,8 @@ void World::advance() {
 void World::step(std::int64_t ticks, const std::function<void(const Session&)>& after_tick) {
     if (ticks < 0 || ticks > kMostTicks)
         throw refusal(fmt::format("ticks is {}, outside 0 to {}", ticks, kMostTicks));
-    const Stepping stepping(*this);
+    static_cast<void>(session());
+    const Busy busy(is_stepped_);
     if (!after_tick && session_.recorder() == nullptr) session_.hash_when_asked();
     WhilePythonRuns running;
     for (; ticks > 0; --ticks) {
@@ -83,7 +70,8 @@ void World::step(std::int64_t ticks, const std::function<void(const Session&)>& 
 std::string World::run_until_rest(double most_seconds) {
     if (!(most_seconds >= 0 && most_seconds <= 1e6))
         throw refusal(fmt::format("most_seconds is {}, outside 0 to 1000000 s", most_seconds));
-    const Stepping stepping(*this);
+    static_cast<void>(session());
+    const Busy busy(is_stepped_);
     if (session_.recorder() == nullptr) session_.hash_when_asked();
     WhilePythonRuns running;
     Until until;

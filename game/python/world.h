@@ -39,8 +39,6 @@ class World {
     std::string hash();
 
   private:
-    // Marks the world as being stepped. Made and unmade while its thread holds Python's lock.
-    class Stepping;
     void advance();
 
     Scene scene_;

@@ -341,7 +341,8 @@ class Ensembles(Folder):
         members = list(couloir.ensemble(file, threads=2))
         self.assertEqual([member.number for member in members], [1, 2, 3, 4, 5, 6])
         self.assertEqual([member.hash for member in members], [line["hash"] for line in journal])
-        self.assertEqual([member.run_out for member in members], [line["run_out"] for line in journal])
+        for figure in ("run_out", "top_speed", "toe_x", "toe_y"):
+            self.assertEqual([getattr(member, figure) for member in members], [line[figure] for line in journal])
         self.assertEqual([list(member.sample.values()) for member in members], [line["sample"] for line in journal])
         self.assertEqual(len({member.hash for member in members}), 6)
 
