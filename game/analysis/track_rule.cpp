@@ -1,6 +1,7 @@
 #include "game/analysis/track_rule.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -61,6 +62,16 @@ Rule rule_of(const TrackRule& choice, const Mesh& mesh) {
     }
     if (choice.level) rule.level = static_cast<float>(*choice.level);
     return rule;
+}
+
+Outcome<FrontPoint> front_point(const sim::front::Tracker& tracker, const sim::front::Point& point) {
+    const auto [i, j] = tracker.mesh().edge[point.edge];
+    const glm::vec2 at = tracker.position(point);
+    if (!std::isfinite(point.f + at.x + at.y + point.speed))
+        return unusable(fmt::format(
+            "the front between vertices {} and {} has no finite position or speed; scale the velocities", i,
+            j));
+    return FrontPoint{i, j, point.f, at.x, at.y, point.speed};
 }
 
 }  // namespace game

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -32,5 +33,15 @@ Outcome<void> complete(TrackRule& rule, bool has_scalar, std::string_view dash);
 
 // The tracker's rule of a complete choice, on a mesh.
 sim::front::Rule rule_of(const TrackRule& choice, const sim::front::Mesh& mesh);
+
+// A discontinuity point as it is given to users.
+struct FrontPoint {
+    std::int32_t i = 0, j = 0;  // vertices, i < j
+    float f = 0;                // of the edge, 0 at i … 1 at j
+    float x = 0, y = 0;         // m
+    float w = 0;                // m/s, from i to j
+};
+// Errors: it is not finite, because velocities are near the end of a float's range.
+Outcome<FrontPoint> front_point(const sim::front::Tracker& tracker, const sim::front::Point& point);
 
 }  // namespace game

@@ -54,7 +54,6 @@ Outcome<Runs> runs_of_ensemble(const std::filesystem::path& spec_file, const std
         LoadedWorld loaded;
         loaded.scene = of.scene;
         loaded.scene.scenario = std::move(*scenario);
-        loaded.scene.scenario.title = fmt::format("{}, member {}", of.title, member);
         loaded.told = fmt::format("Run {} of {}", member, of.title);
         loaded.memory = memory;
         return loaded;

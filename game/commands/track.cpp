@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
@@ -42,18 +41,13 @@ Outcome<ArrayFile> open_frames(const std::filesystem::path& path, const Mesh& me
                                 numbers == 1 ? "" : fmt::format(" × {}", numbers)));
 }
 
-// Errors: a point is not finite, because velocities are near the end of a float's range.
+// Errors: those of front_point(), with the frame.
 Outcome<void> add_lines(std::string& csv, const Tracker& tracker, std::int64_t frame, double time) {
     for (const auto& point : tracker.points()) {
-        const auto [i, j] = tracker.mesh().edge[point.edge];
-        const glm::vec2 at = tracker.position(point);
-        if (!std::isfinite(point.f + at.x + at.y + point.speed))
-            return unusable(
-                fmt::format("frame {}: the front between vertices {} and {} has no finite position or "
-                            "speed; scale the velocities",
-                            frame, i, j));
-        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{}\n", frame, time, i, j, point.f, at.x,
-                       at.y, point.speed);
+        const auto told = front_point(tracker, point);
+        if (!told) return unusable(fmt::format("frame {}: {}", frame, told.error().sentence));
+        fmt::format_to(std::back_inserter(csv), "{},{},{},{},{},{},{},{}\n", frame, time, told->i, told->j,
+                       told->f, told->x, told->y, told->w);
     }
     return {};
 }

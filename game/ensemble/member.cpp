@@ -88,7 +88,6 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
         member.fault = scenario.error().sentence;
         return played;
     }
-    scenario->title = fmt::format("{}, member {}", spec.title, number);
     auto session = Session::begin(*scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     if (record) {

@@ -217,6 +217,7 @@ std::optional<std::size_t> EnsembleSpec::patch_of(std::int64_t member) const {
 
 Outcome<Scenario> EnsembleSpec::scenario_of(std::int64_t member) const {
     Scenario scenario = scene.scenario;
+    scenario.title = fmt::format("{}, member {}", title, member);
     if (const auto number = patch_of(member)) {
         const auto& [release, params] = scene.patches[*number - 1];
         if (release.vertices.empty())

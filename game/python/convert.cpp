@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "game/base/number.h"
 #include "game/base/process.h"
 #include "game/recording/command_json.h"
 #include "terrains/limits.h"
@@ -39,12 +38,18 @@ std::vector<std::string> arguments_of(const sim::CommandInfo& info) {
 
 }  // namespace
 
-py::array array_of(const sim::Field<float>& field, const py::object& owner) {
-    constexpr py::ssize_t kBytes = sizeof(float);
-    py::array array(py::dtype::of<float>(), {field.ny(), field.nx()}, {kBytes * field.stride(), kBytes},
-                    field.row(0), owner);
+py::array read_only(py::array array) {
     array.attr("setflags")(py::arg("write") = false);
     return array;
+}
+
+py::array array_of(const sim::Field<float>& field, const py::object& owner) {
+    constexpr py::ssize_t kBytes = sizeof(float);
+    return read_only({py::dtype::of<float>(),
+                      {field.ny(), field.nx()},
+                      {kBytes * field.stride(), kBytes},
+                      field.row(0),
+                      owner});
 }
 
 sim::Command command_from(const sim::CommandInfo& info, const py::kwargs& arguments) {
@@ -84,17 +89,13 @@ std::string help_of(const sim::CommandInfo& info) {
 }
 
 int checked_threads(int threads) {
-    if (threads < 1 || threads > kMostThreads)
-        throw refusal(fmt::format("threads is {}, outside 1 to {}", threads, kMostThreads));
-    return threads;
+    return checked(threads, {1, kMostThreads}, "threads");
 }
 
 Overrides overrides_from(const OpeningArguments& arguments) {
     Overrides overrides;
-    if (arguments.grid &&
-        (*arguments.grid < terrains::kFewestSquares || *arguments.grid > terrains::kMostSquares))
-        throw refusal(fmt::format("grid is {}, outside {} to {} squares", *arguments.grid,
-                                  terrains::kFewestSquares, terrains::kMostSquares));
+    if (arguments.grid)
+        checked(*arguments.grid, {terrains::kFewestSquares, terrains::kMostSquares, "squares"}, "grid");
     overrides.squares = arguments.grid;
     overrides.material = arguments.material;
     overrides.size_class = arguments.size_class;
@@ -111,11 +112,9 @@ Overrides overrides_from(const OpeningArguments& arguments) {
         const auto info = std::ranges::find(sim::kParams, name, &sim::ParamInfo::name);
         if (info == std::end(sim::kParams))
             throw refusal(fmt::format("'{}' is not a parameter; docs/scenes.md has all of them", name));
-        const auto number = py::cast<double>(value);
-        const Range<double> range{static_cast<double>(info->least), static_cast<double>(info->most),
-                                  info->unit};
-        if (!(number >= range.least && number <= range.most))
-            throw refusal(fmt::format("{} is {}, outside {}", name, number, to_text(range)));
+        const double number =
+            checked(py::cast<double>(value),
+                    {static_cast<double>(info->least), static_cast<double>(info->most), info->unit}, name);
         overrides.set.push_back({&*info, static_cast<float>(number)});
     }
     return overrides;

@@ -5,11 +5,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "game/base/number.h"
 #include "game/base/outcome.h"
 #include "game/scene/scene.h"
 #include "sim/core/grid.h"
@@ -34,18 +37,26 @@ inline Error refusal(const std::string& sentence) {
     return Error({Failure::kUnusable, sentence});
 }
 
+// The value, if it is within the range. Throws Error.
+template <class Number>
+Number checked(Number value, const Range<Number>& range, std::string_view name) {
+    if (!(value >= range.least && value <= range.most))
+        throw refusal(fmt::format("{} is {}, outside {}", name, value, to_text(range)));
+    return value;
+}
+
 // Numbers of Python, which are copied, as a contiguous array.
 template <class Number>
 using Numbers = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 
-// A field without its halo, as an array of ny × nx that cannot be written. It shares the memory of `owner`, which it keeps.
+// An array that shares the memory of its owner, and cannot be written.
+py::array read_only(py::array array);
+// A field without its halo, as such an array of ny × nx, which keeps its owner.
 py::array array_of(const sim::Field<float>& field, const py::object& owner);
 // The same of a value for each vertex.
 template <class Number>
 py::array array_of(const sim::Grid& grid, const Number* values, const py::object& owner) {
-    py::array array(py::dtype::of<Number>(), {grid.ny, grid.nx}, values, owner);
-    array.attr("setflags")(py::arg("write") = false);
-    return array;
+    return read_only({py::dtype::of<Number>(), {grid.ny, grid.nx}, values, owner});
 }
 
 // A command of this kind from keyword arguments named as in a recording, but for `layer`, which is `as` there. What is left
@@ -65,10 +76,14 @@ Overrides overrides_from(const OpeningArguments& arguments);
 // Throws Error if so many are not allowed.
 int checked_threads(int threads);
 
-// Marks something as in use by a thread that is going to let others run. Made and unmade while it holds Python's lock.
+// Marks something as in use by a thread that is going to let others run. Made and unmade while it holds Python's lock. Throws
+// Error, with this sentence, if another thread uses it.
 class Busy {
   public:
-    explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
+    Busy(bool& flag, const char* sentence) : flag_(flag) {
+        if (flag) throw refusal(sentence);
+        flag = true;
+    }
     ~Busy() { flag_ = false; }
     Busy(const Busy&) = delete;
     Busy& operator=(const Busy&) = delete;

@@ -69,7 +69,7 @@ class MembersInOrder {
     MembersInOrder& operator=(const MembersInOrder&) = delete;
 
     NamedMember next() {
-        if (is_waited_for_) throw refusal("another thread waits for the next member");
+        const Busy busy(is_waited_for_, "another thread waits for the next member");
         while (next_ <= ensemble_->spec.members &&
                playing_.size() < static_cast<std::size_t>(ensemble_->threads)) {
             playing_.push_back(std::async(std::launch::async, [this, number = next_] {
@@ -79,7 +79,6 @@ class MembersInOrder {
             ++next_;
         }
         if (playing_.empty()) throw py::stop_iteration();
-        const Busy busy(is_waited_for_);
         WhilePythonRuns running;
         while (playing_.front().wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
             running.look();

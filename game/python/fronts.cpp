@@ -19,14 +19,6 @@ namespace {
 
 using sim::front::Mesh;
 
-// A discontinuity point as an element of an array, as a line of `couloir track`.
-struct FrontPoint {
-    std::int32_t i, j;  // vertices, i < j
-    float f;            // 0 at i … 1 at j
-    float x, y;         // m
-    float w;            // m/s, from i to j
-};
-
 Mesh mesh_of_arrays(const Numbers<double>& positions, const Numbers<std::int64_t>& triangles) {
     if (positions.ndim() != 2 || positions.shape(1) < 2 || positions.shape(1) > 3)
         throw refusal("positions is no array of vertices × 2, or × 3 of which the third is not used");
@@ -86,13 +78,10 @@ class FrontTracker {
     FrontTracker(const Mesh& mesh, const TrackRule& rule, double dt, int threads)
         : tracker_(mesh, rule_of(rule, mesh), *rule.source, rule.hold),
           workers_(checked_threads(threads)),
-          dt_(dt) {
-        if (!(dt >= TrackRule::kShortestStep && dt <= TrackRule::kLongestStep))
-            throw refusal(fmt::format("dt is {}, outside {} to {} s", dt, TrackRule::kShortestStep,
-                                      TrackRule::kLongestStep));
-    }
+          dt_(checked(dt, {TrackRule::kShortestStep, TrackRule::kLongestStep, "s"}, "dt")) {}
 
     py::array advance(const Numbers<float>& velocities, const std::optional<Numbers<float>>& scalar) {
+        const Busy busy(is_advancing_, "another thread advances this tracker");
         const Mesh& mesh = tracker_.mesh();
         check_values(velocities, mesh, 2, "velocities");
         if (scalar.has_value() != (tracker_.source() == sim::front::PointSource::kLevel))
@@ -108,16 +97,8 @@ class FrontTracker {
         }
         py::array_t<FrontPoint> points(static_cast<py::ssize_t>(tracker_.points().size()));
         FrontPoint* out = points.mutable_data();
-        for (const sim::front::Point& point : tracker_.points()) {
-            const auto [i, j] = mesh.edge[point.edge];
-            const glm::vec2 at = tracker_.position(point);
-            if (!std::isfinite(point.f + at.x + at.y + point.speed))
-                throw refusal(
-                    fmt::format("the front between vertices {} and {} has no finite position or speed; scale "
-                                "the velocities",
-                                i, j));
-            *out++ = {i, j, point.f, at.x, at.y, point.speed};
-        }
+        for (const sim::front::Point& point : tracker_.points())
+            *out++ = value_of(front_point(tracker_, point));
         return points;
     }
     int outrun() const { return tracker_.outrun(); }
@@ -126,12 +107,8 @@ class FrontTracker {
     sim::front::Tracker tracker_;
     sim::Workers workers_;
     double dt_;
+    bool is_advancing_ = false;
 };
-
-void check_within(const std::optional<double>& value, double least, double most, const char* name) {
-    if (value && !(*value >= least && *value <= most))
-        throw refusal(fmt::format("{} is {}, outside {} to {}", name, *value, least, most));
-}
 
 // The choices of a tracker by their names.
 struct TrackArguments {
@@ -155,9 +132,9 @@ TrackRule rule_from(const TrackArguments& arguments) {
         if (!rule.rule)
             throw refusal(fmt::format("rule is '{}', not one of paper, relative", *arguments.rule));
     }
-    check_within(rule.threshold, TrackRule::kLeast, TrackRule::kMost, "threshold");
-    check_within(rule.jump, TrackRule::kLeast, TrackRule::kMost, "jump");
-    check_within(rule.level, -TrackRule::kFarthestLevel, TrackRule::kFarthestLevel, "level");
+    if (rule.threshold) checked(*rule.threshold, {TrackRule::kLeast, TrackRule::kMost}, "threshold");
+    if (rule.jump) checked(*rule.jump, {TrackRule::kLeast, TrackRule::kMost}, "jump");
+    if (rule.level) checked(*rule.level, {-TrackRule::kFarthestLevel, TrackRule::kFarthestLevel}, "level");
     value_of(complete(rule, rule.source == sim::front::PointSource::kLevel, ""));
     return rule;
 }
@@ -175,9 +152,7 @@ void add_fronts(py::module_& module) {
     mesh.def_property_readonly("edges", &Mesh::edges);
     mesh.def_property_readonly("positions", [](const py::object& self) {
         const auto& of = py::cast<const Mesh&>(self);
-        py::array array(py::dtype::of<float>(), {of.vertices(), 2}, &of.position.front().x, self);
-        array.attr("setflags")(py::arg("write") = false);
-        return array;
+        return read_only({py::dtype::of<float>(), {of.vertices(), 2}, &of.position.front().x, self});
     });
 
     py::class_<FrontTracker> tracker(module, "Tracker");

@@ -17,6 +17,8 @@ namespace game::python {
 namespace {
 
 constexpr std::int64_t kMostTicks = 1'000'000'000;  // of one call
+constexpr double kMostSeconds = 1e6;                // of the world, the same
+constexpr const char* kStepped = "this world is being stepped by another thread";
 
 Session session_of(const Scene& scene, int threads) {
     sim::StepOptions options;
@@ -33,7 +35,7 @@ World::World(Scene scene, int threads) : scene_(std::move(scene)), session_(sess
 }
 
 const Session& World::session() const {
-    if (is_stepped_) throw refusal("this world is being stepped by another thread");
+    if (is_stepped_) throw refusal(kStepped);
     return session_;
 }
 
@@ -54,10 +56,8 @@ void World::advance() {
 }
 
 void World::step(std::int64_t ticks, const std::function<void(const Session&)>& after_tick) {
-    if (ticks < 0 || ticks > kMostTicks)
-        throw refusal(fmt::format("ticks is {}, outside 0 to {}", ticks, kMostTicks));
-    static_cast<void>(session());
-    const Busy busy(is_stepped_);
+    checked(ticks, {0, kMostTicks}, "ticks");
+    const Busy busy(is_stepped_, kStepped);
     if (!after_tick && session_.recorder() == nullptr) session_.hash_when_asked();
     WhilePythonRuns running;
     for (; ticks > 0; --ticks) {
@@ -68,10 +68,8 @@ void World::step(std::int64_t ticks, const std::function<void(const Session&)>& 
 }
 
 std::string World::run_until_rest(double most_seconds) {
-    if (!(most_seconds >= 0 && most_seconds <= 1e6))
-        throw refusal(fmt::format("most_seconds is {}, outside 0 to 1000000 s", most_seconds));
-    static_cast<void>(session());
-    const Busy busy(is_stepped_);
+    checked(most_seconds, {0, kMostSeconds, "s"}, "most_seconds");
+    const Busy busy(is_stepped_, kStepped);
     if (session_.recorder() == nullptr) session_.hash_when_asked();
     WhilePythonRuns running;
     Until until;

@@ -22,8 +22,8 @@ class World {
 
     // Acts at the start of the next tick, after those that it was loaded with.
     void give(const sim::Command& command);
-    // Runs so many ticks, and calls `after_tick`, if it is set, after each, with the hash of its state. If what was given clashes with the world, nothing
-    // has changed, and it is forgotten.
+    // Runs so many ticks, and calls `after_tick`, if it is set, after each, with the hash of its state. If what was given
+    // clashes with the world, nothing has changed, and it is forgotten.
     void step(std::int64_t ticks, const std::function<void(const Session&)>& after_tick = {});
     // Runs as `couloir run --until-rest` does: until the kinetic energy has fallen to 1 % of its greatest, or nothing moves,
     // or so many seconds of the world have passed. Returns what ended it.

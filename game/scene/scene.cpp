@@ -508,7 +508,7 @@ Outcome<void> check_values(const sim::Grid& grid, std::span<const float> values,
     return {};
 }
 
-// Errors: the heights of `terrain`, or what lies on them, are no ground for a world.
+// Errors: the heights of `terrain`, or the layers on them, are no ground for a world.
 Outcome<void> check_ground(const Terrain& terrain, std::span<const float> rolling, const Memory& memory) {
     const sim::Grid& grid = terrain.grid;
     const int longer = std::max(grid.nx, grid.ny) - 1;
