@@ -124,7 +124,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     parts->day_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
     parts->night_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     parts->structures = ready(StructuresPass::create(shaders));
-    parts->trees = ready(TreesPass::create(shaders));
+    parts->trees = ready(TreesPass::create(assets));
     parts->spindrift = ready(SpindriftPass::create(shaders));
     parts->powder = ready(PowderPass::create(shaders));
     parts->tone = fullscreen({"slots.glsl", "tone_curve.glsl", "tone.frag"});

@@ -37,6 +37,7 @@
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
+#define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: assets/textures/conifers.png
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
 #define SLOT_UNITS 31     // number of texture units
 
@@ -89,17 +90,24 @@
 
 #define MOST_STOPS 8 // of a legend
 
-// A near tree: tiers of branches, each a cone of so many sides, and a trunk of three
-#define TREE_TIERS 8
-#define TREE_SIDES 6
-#define TREE_VERTICES (3 * (TREE_TIERS * TREE_SIDES + 3))
-
-// A far tree: pixels of height from which its branches are drawn, or twelve times the width of a top of a group; means
-// of its outline, of a triangle's, and of the share that is white; width of a triangle that covers what a group does
-#define TREE_PLAIN_PIXELS 24.0
-#define TREE_MEAN_OUTLINE 0.80
-#define TREE_MEAN_SNOW 0.13
-#define TREE_GROUP_AS_TRIANGLE 1.15
+// Pictures of trees, as render/textures/conifer_pictures.h draws them: tiles in columns by tree and in rows by the height of
+// the eye, of which here are the sines, and those at which the next row begins
+#define TREE_TILE_WIDTH 128
+#define TREE_TILE_HEIGHT 256
+#define TREE_LEVELS 6
+#define TREE_FINEST_IN_PAGES 1 // of these; a page does not carry the largest
+#define TREE_ROWS 4
+#define TREE_ROW_SINES 0.070, 0.407, 0.719, 0.940
+#define TREE_ROW_LIMITS 0.242, 0.574, 0.848
+#define TREE_COLUMNS 8
+#define TREE_SPRUCES 4 // the first columns, with ever more snow
+#define TREE_COLUMN_BROKEN 4
+#define TREE_COLUMN_LARCH 5
+#define TREE_COLUMN_PINE 6
+#define TREE_COLUMN_GROUP 7
+#define TREE_SPARE 1.3  // half the width of a tile, in radii of the crown
+#define TREE_ABOVE 1.02 // what is in a tile, in heights of the tree
+#define TREE_BROKEN 0.03 // share of spruces whose top is broken off
 
 // Values of render::TreeKind
 #define TREE_SPRUCE 0

@@ -4,41 +4,43 @@ struct Tree {
     vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
     vec4 look;    // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
     vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
-    vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; 0
+    vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; share of the snow that its branches keep
 };
 
-// Colours of needles, and of snow on the branches if snow lies around the tree.
+// A number of the tree's own, 0 to 1, for each factor another.
+float own(Tree tree, float factor) { return fract(tree.axis.w * factor); }
+
+// Colours of needles: blue-green to yellow-green, brown where the tree lies; and lighter or darker.
 vec3 needles(Tree tree) {
-    float own = fract(tree.axis.w * 13.7);
-    vec3 green = mix(vec3(0.011, 0.024, 0.020), vec3(0.024, 0.034, 0.018), own);  // blue-green to green
-    if (tree.kind.x == float(TREE_LARCH)) green = mix(vec3(0.120, 0.096, 0.070), vec3(0.090, 0.075, 0.060), own);
-    if (tree.kind.x == float(TREE_PINE)) green = mix(vec3(0.020, 0.031, 0.015), vec3(0.027, 0.034, 0.017), own);
-    return mix(vec3(0.050, 0.042, 0.024), green, clamp(2.0 * tree.axis.z, 0.0, 1.0));  // brown where it lies
+    float tint = own(tree, 13.7);
+    vec3 green = mix(vec3(0.018, 0.035, 0.027), vec3(0.046, 0.052, 0.024), tint * tint);
+    if (tree.kind.x == float(TREE_LARCH)) green = mix(vec3(0.150, 0.112, 0.078), vec3(0.105, 0.085, 0.068), tint);
+    if (tree.kind.x == float(TREE_PINE)) green = mix(vec3(0.028, 0.044, 0.022), vec3(0.040, 0.050, 0.024), tint);
+    green = mix(vec3(0.060, 0.048, 0.028), green, clamp(2.0 * tree.axis.z, 0.0, 1.0));
+    return green * mix(0.80, 1.20, own(tree, 71.3));
 }
-// Some carry much of it, others have shed it.
+// Some carry much snow, others have shed it: share of the most, 0 to 1.
+float carried(Tree tree) { return tree.kind.w * own(tree, 29.3); }
+// Its colour, and how much of what branches carry is there: it came with the snow around the tree.
 vec4 snow(Tree tree) {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, tree.look.z);
-    float carried = mix(0.35, 1.0, fract(tree.axis.w * 29.3)) * (tree.kind.x == float(TREE_LARCH) ? 0.45 : 1.0);
-    return vec4(lies, carried * smoothstep(0.02, 0.30, tree.look.y) * smoothstep(0.55, 0.75, lies.g));
+    float there = smoothstep(0.02, 0.30, tree.look.y) * smoothstep(0.55, 0.75, lies.g);
+    return vec4(lies, there * (tree.kind.y > 1.5 ? mix(0.5, 1.1, carried(tree)) : 1.0));  // a group has one picture
 }
 
-// Light that white branches reflect toward the eye, and the air before them. `up`: 0 at the foot, 1 at the top.
-// Within a stand its trees shade each other's feet.
-void light_branches(Tree tree, vec3 normal, vec3 at, float up, out vec3 light, out vec3 air) {
-    air = through_air(vec3(0.0), at);
-    vec3 kept = through_air(vec3(1.0), at) - air;
-    float shaded = mix(0.45, 0.80, tree.kind.z) * (1.0 - up) * (1.0 - up);
-    light = kept * lit(vec3(1.0), normal, tree.look.x * (1.0 - shaded), 1.0 - shaded);
-}
-
-// A corner of a triangle around the axis that is turned to the eye and lit as if it were a cone. `place`: −1 to 1 across,
-// 0 at the foot to 1 at the top; `curved`: 0 to 1, how much its sides look aside.
-void around_axis(Tree tree, vec2 place, float half_width, float curved, out vec3 at, out vec3 light, out vec3 air) {
-    vec3 to_eye = frame.eye.xyz - tree.foot.xyz;
-    vec3 across = cross(tree.axis.xyz, to_eye);
-    across *= inversesqrt(max(dot(across, across), 1e-6));
-    vec3 front = cross(across, tree.axis.xyz);
-    at = tree.foot.xyz + tree.foot.w * place.y * tree.axis.xyz + half_width * place.x * across;
-    vec3 normal = normalize((curved * place.x) * across + 0.45 * front + 0.35 * tree.axis.xyz + vec3(0.0, 0.0, 0.2));
-    light_branches(tree, normal, at, min(place.y, 1.0), light, air);
+// Light that falls on needles, which face the eye, and on snow on branches, which faces up. `front`: unit vector across the
+// axis to the eye; `view`: to the eye; `cosine`: of the eye's height above the tree.
+struct Lights {
+    vec3 needle, snow;
+};
+Lights lights_of(Tree tree, vec3 front, vec3 view, float cosine) {
+    vec3 lamp = frame.lamp.rgb * tree.look.x, sky = frame.above.rgb;
+    float sunward = dot(front.xy, vec2(frame.toward.w, frame.away.w));
+    vec3 aside = 0.5 * (frame.below.rgb + sky) * (1.0 + 0.7 * frame.zenith.w * sunward);
+    float toward = cosine * dot(frame.sun.xyz, front), along = dot(frame.sun.xyz, tree.axis.xyz);
+    float through = max(-dot(frame.sun.xyz, view), 0.0);  // against the sun light comes through twigs and snow
+    through *= through;
+    float needle = max((0.90 * toward + 0.35 * along + 0.20) / 1.2, 0.03) + 0.30 * through;
+    float snow = max((0.45 * toward + 0.80 * along + 0.10) / 1.1, 0.02) + 0.18 * through;
+    return Lights(lamp * needle + mix(aside, sky, 0.35), lamp * snow + mix(aside, sky, 0.75));
 }

@@ -79,9 +79,7 @@ class Picture {
         if (info.arrays['trees.x'])
             Object.assign(this.programs, {
                 treeShadow: add([...trees, 'tree_shadow.vert'], ['tree_shadow.frag']),
-                treeNear: add([...trees, 'tree_near.vert'], ['tree_near.frag']),
-                treeFar: add([...trees, 'tree_far.vert'], ['slots.glsl', 'tree_far.frag']),
-                treePlain: add([...trees, 'tree_plain.vert'], ['tree_plain.frag']),
+                tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', 'tree_picture.frag']),
             });
         if (info.arrays['ridges.x'])
             this.programs.spindrift = add([...light, 'spindrift.vert'],

@@ -15,7 +15,7 @@ class Scenery {
         Object.assign(this, {gpu, slide, shaders, slots, frame});
         if (shaders.around) this.makeMountains();
         if (shaders.built) this.makeBuilt();
-        if (shaders.treeNear) this.makeTrees();
+        if (shaders.tree) this.makeTrees();
         if (shaders.spindrift) this.makeRidges();
     }
 
@@ -52,6 +52,32 @@ class Scenery {
         this.trees = new TreesInView(this.slide, this.frame.sun, slots);
         const rows = Math.ceil(this.trees.x.length / kTreesInARow);
         this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
+        this.treePictures = this.makeTreePictures();
+    }
+
+    // The levels are below each other, lowest row first. A number has the three parts of a texel.
+    makeTreePictures() {
+        const {gpu, gpu: {gl}, slots} = this, packed = this.slide.quanta('trees.pictures');
+        const sizes = [], width = slots.TREE_COLUMNS * slots.TREE_TILE_WIDTH, height = slots.TREE_ROWS * slots.TREE_TILE_HEIGHT;
+        for (let level = slots.TREE_FINEST_IN_PAGES; level < slots.TREE_LEVELS; ++level)
+            sizes.push([width >> level, height >> level]);
+        const pictures = gl.createTexture();
+        gpu.bind(slots.SLOT_TREE_PICTURES, pictures);
+        gl.texStorage2D(gl.TEXTURE_2D, sizes.length, gl.RGB8, ...sizes[0]);
+        for (const which of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+            gl.texParameteri(gl.TEXTURE_2D, which, which === gl.TEXTURE_MAG_FILTER ? gl.NEAREST : gl.NEAREST_MIPMAP_NEAREST);
+        let first = 0;
+        sizes.forEach(([wide, high], level) => {
+            const texels = new Uint8Array(3 * wide * high);
+            for (let i = 0; i < wide * high; ++i) {
+                const texel = packed[first + i];
+                texels.set([17 * (texel >> 9), 17 * (texel >> 5 & 15), Math.round((texel & 31) * 255 / 31)], 3 * i);
+            }
+            gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+            gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, wide, high, gl.RGB, gl.UNSIGNED_BYTE, texels);
+            first += wide * high;
+        });
+        return pictures;
     }
 
     makeRidges() {
@@ -122,12 +148,10 @@ class Scenery {
         }
         this.treesKey = key;
         this.treesTick = this.slide.tick;
-        const {near, far, withShadow, standing} = trees, cones = 3 * (slots.TREE_TIERS * slots.TREE_SIDES + 3);
+        gpu.bind(slots.SLOT_TREE_PICTURES, this.treePictures);
         gpu.enabled([gl.DEPTH_TEST], () => {
-            this.drawShadows(() => gpu.drawNumbers(shaders.treeShadow, 0, 3 * withShadow));
-            gpu.drawNumbers(shaders.treeNear, 0, cones * near);
-            gpu.drawNumbers(shaders.treeFar, 3 * near, 3 * far);
-            gpu.drawNumbers(shaders.treePlain, 3 * (near + far), 3 * (standing.length - near - far));
+            this.drawShadows(() => gpu.drawNumbers(shaders.treeShadow, 0, 3 * trees.withShadow));
+            gpu.drawNumbers(shaders.tree, 0, 3 * trees.standing.length);
         });
     }
 }

@@ -71,8 +71,8 @@ class Shaders {
         this.parallel = gl.getExtension('KHR_parallel_shader_compile');
         this.all = [];
         this.constants = {};
-        for (const [, name, value] of files('slots.glsl').matchAll(/^#define (\w+) (0x[0-9a-f]+|[\d.]+)/gm))
-            this.constants[name] = Number(value);
+        for (const [, name, value] of files('slots.glsl').matchAll(/^#define (\w+) ([\w.]+)/gm))
+            this.constants[name] = this.constants[value] ?? Number(value);
     }
 
     // Starts to compile a program from lists of files.

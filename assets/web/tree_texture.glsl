@@ -1,5 +1,6 @@
 // The trees that are drawn, as tree_buffer.glsl has them, in a texture: five texels each, so many in a row.
 #define TREES_IN_A_ROW 256
+#define TREE_FINEST TREE_FINEST_IN_PAGES
 layout(binding = SLOT_UNITS) uniform sampler2D trees;
 
 Tree tree_at(int number) {

@@ -1,11 +1,11 @@
 // Trees: which of the trees a camera sees, and how each is drawn, as render/woods/trees_in_view.cpp finds them.
 const kHalfWidth = 0.19, kHalfWidthOfPine = 0.8, kWiderInStand = 0.2;  // of a tree, of its height
-const kNearPixels = 100;  // height from which a tree has more than one triangle
 const kWideOfHeight = 0.0145, kLeastWide = 5.5, kMostWide = 10.5;  // of the mean tree: of the frame's height, pixels
 const kMeanWidth = 5, kMostTogether = 20;  // m; trees that one stands for
 const kGroup = 5, kWidthOfGroup = 0.75, kTaller = 0.4;
 const kLongestShadow = 36, kShadowPixels = 7;  // m; height below which a tree casts none
-const kCrushed = 0.65, kLean = 1.5;  // width of a lying tree, of a standing one's; rad
+const kCrushed = 0.65, kLaid = 1.5;  // width of a lying tree, of a standing one's; rad
+const kLean = 0.05, kMostLean = 0.22, kLeaning = 0.06;  // tangents of standing ones; share of those that lean most
 const kTreeNumbers = 20;  // numbers of a drawn tree: struct Tree of tree.glsl
 const kTreesInARow = 256;  // of their texture: tree_texture.glsl
 
@@ -37,11 +37,11 @@ class TreesInView {
         this.height = get('height'), this.on = get('on');
         this.snow = get('snow'), this.lower = get('lower'), this.closed = get('closed');
         this.group = get('group'), this.kind = get('kind'), this.sun = get('sun');
-        this.falls = get('falls');
+        this.falls = get('falls'), this.keeps = get('keeps');
         this.findTiles(get('count'));
         this.chance = new Float32Array(this.x ? this.x.length : 0).map((_, i) => ownNumber(i));
         this.first = this.drawn = new Float32Array(0);  // numbers as they stood, and as they are
-        this.near = this.far = this.withShadow = 0;
+        this.withShadow = 0;
     }
 
     // A tile's trees and the box around their feet and tops.
@@ -65,22 +65,16 @@ class TreesInView {
     // Finds the trees that a camera sees, as they stood at tick 0. `view`: of viewOf(); `box`: null where a box is not
     // seen.
     find(view, box) {
-        const {eye} = view, lists = {near: [], branched: [], plain: [], withoutShadow: []};
-        const seen = this.tiles.filter(tile => box(tile.low, tile.high));
-        for (const tile of seen)
-            tile.away = Math.hypot(...eye.map((at, k) => at - clamp(at, tile.low[k], tile.high[k])));
-        seen.sort((a, b) => a.away - b.away || a.first - b.first);
-        for (const {first, count} of seen)
+        this.standing = [];
+        for (const {first, count} of this.tiles.filter(tile => box(tile.low, tile.high)))
             for (let k = 0; k < count; ++k) {
                 // Of few trees of a tile not always one is left.
                 const tree = this.seenTree(first + k, (k + this.chance[first]) / count, view);
-                if (tree) lists[tree.list].push(tree);
+                if (tree) this.standing.push(tree);
             }
-        lists.near.sort((a, b) => a.distance - b.distance || a.i - b.i);
-        this.standing = Object.values(lists).flat();
-        this.near = lists.near.length;
-        this.far = lists.branched.length;
-        this.withShadow = this.standing.length - lists.withoutShadow.length;
+        // What they hide is not shaded.
+        this.standing.sort((a, b) => a.distance - b.distance || a.i - b.i);
+        this.withShadow = this.standing.findLastIndex(tree => tree.shadow > 0) + 1;
         this.write();
     }
 
@@ -105,11 +99,8 @@ class TreesInView {
         const broad = slim * this.height[i] * kept * together / taller * (1 + kWiderInStand * this.closed[i]);
         const half = Math.max(isGroup ? kWidthOfGroup * broad : broad, 0.6 * kept * distance * pixel);
         const pixels = height / (distance * pixel);
-        const topPixels = isGroup ? 24 * half / tops / (distance * pixel) : pixels;
         const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (1 + 3 * this.closed[i])));
-        const list = group < 2 && pixels > kNearPixels * (0.85 + 0.3 * this.chance[i]) ? 'near'
-            : topPixels > this.constants.TREE_PLAIN_PIXELS ? 'branched' : shadow > 0 ? 'plain' : 'withoutShadow';
-        return {i, distance, height, half, tops, shadow, list};
+        return {i, distance, height, half, tops, shadow};
     }
 
     // The wood parts before the eye, which would see nothing within a crown: a tree shrinks as the eye comes near.
@@ -130,9 +121,9 @@ class TreesInView {
         this.onGrid = [];
         this.standing.forEach(({i, height, half, tops, shadow}, number) => {
             const at = kTreeNumbers * number, tip = shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0];
-            this.first.set([this.x[i], this.y[i], this.z[i], height, 0, 0, 1, this.chance[i],
+            this.first.set([this.x[i], this.y[i], this.z[i], height, ...this.upright(i), this.chance[i],
                             this.sun[i], this.snow[i], this.lower ? this.lower[i] : 0, half, ...tip, shadow,
-                            this.kind[i], tops, this.closed[i], 0], at);
+                            this.kind[i], tops, this.closed[i], this.keeps[i]], at);
             const vertex = Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx);
             if (this.on[i]) this.onGrid.push({i, at, vertex});
         });
@@ -150,17 +141,29 @@ class TreesInView {
         return Math.ceil(this.standing.length / kTreesInARow);
     }
 
+    own(i, factor) {
+        return fraction(this.chance[i] * factor);
+    }
+
+    // The way its stem points. Few trees are plumb.
+    upright(i) {
+        const most = Math.SQRT2 * (this.own(i, 83.3) < kLeaning ? kMostLean : kLean);
+        const way = [most * (this.own(i, 23.9) - 0.5), most * (this.own(i, 61.7) - 0.5), 1], whole = Math.hypot(...way);
+        return way.map(part => part / whole);
+    }
+
     // Lays a tree into the deposit, with its top downhill.
     lay(i, tree) {
-        const own = factor => fraction(this.chance[i] * factor), height = this.height[i];
+        const own = factor => this.own(i, factor), height = this.height[i];
         const [downX, downY] = this.downhill(i), aside = 1.1 * (own(37.3) - 0.5), whole = Math.sqrt(1 + aside * aside);
         const x = (downX - aside * downY) / whole, y = (downY + aside * downX) / whole;
         const radius = kCrushed * kHalfWidth * height, ground = (east, north) => this.ground.heightAt(east, north);
         // Some lie on the deposit, and some look out of it with one end.
         const rootZ = ground(tree[0], tree[1]) + radius * (0.5 - 1.2 * own(71.9));
         const topZ = ground(tree[0] + height * x, tree[1] + height * y) + radius * (0.9 - 1.5 * own(53.7));
-        const flat = Math.hypot(height, topZ - rootZ), sine = Math.sin(kLean);
-        const part = sine * height / flat, axis = [part * x, part * y, Math.cos(kLean) + sine * (topZ - rootZ) / flat];
+        const flat = Math.hypot(height, topZ - rootZ), sine = Math.sin(kLaid), cosine = Math.cos(kLaid);
+        const toTop = [height * x, height * y, topZ - rootZ];
+        const axis = this.upright(i).map((part, k) => cosine * part + sine * toTop[k] / flat);
         const size = Math.hypot(...axis);
         tree[2] = rootZ;
         tree.set(axis.map(part => part / size), 4);

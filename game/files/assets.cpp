@@ -105,7 +105,7 @@ std::vector<fs::path> drawing_assets() {
 }
 
 std::vector<fs::path> page_assets() {
-    return files_below({"shaders", "web"});
+    return files_below({"shaders", "textures", "web"});
 }
 
 }  // namespace game

@@ -127,6 +127,7 @@ void Scenery::pack_woods(PackedStream& into) const {
     add("closed", {1.0 / 15, 1, kLast}, [](const Tree& t) { return t.closed; });
     add("group", {1, 1, kNone}, [](const Tree& t) { return t.group; });
     add("kind", {1, 1, kNone}, [](const Tree& t) { return static_cast<double>(t.kind); });
+    add("keeps", {1.0 / 15, 1, kLast}, [](const Tree& t) { return render::snow_kept(t); });
     add("on", {1, 1, kNone}, [](const Tree& t) { return t.vertex >= 0 ? 1.0 : 0.0; });
     pack_column(into, "trees.sun", lights, {1.0 / 31, 1, kLast},
                 [](const render::TreeLight& light) { return light.sunlit; });

@@ -29,6 +29,7 @@ class Scenery {
     void see(const render::FlowSoFar& flow, std::span<const sim::Stems> forest,
              const render::Structures& structures, std::int64_t frame);
 
+    bool has_trees() const { return !woods_.empty(); }
     void pack(PackedStream& into) const;  // what is there at tick 0
     void pack_ends(PackedStream& into, const sim::View& world,
                    std::int64_t frames) const;  // what became of it

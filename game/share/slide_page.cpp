@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "assets/shaders/slots.glsl"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
 #include "game/base/one_line.h"
@@ -30,6 +31,7 @@
 #include "render/mountain/drawn_mixture.h"
 #include "render/mountain/height_range.h"
 #include "render/mountain/overview.h"
+#include "render/pictures/png.h"
 #include "render/view/wind.h"
 
 namespace game {
@@ -106,7 +108,32 @@ std::string in_script(const Json& json) {
 struct PageFiles {
     std::string frame, style, program;
     Json shaders = Json::object();  // text by name: those that the program names
+    std::vector<std::uint32_t> tree_pictures;
 };
+
+// The pictures of trees without their largest level, one number per texel, lowest row first: 4, 4 and 5 bits of its parts.
+Outcome<std::vector<std::uint32_t>> read_tree_pictures(const fs::path& file) {
+    const auto texels = render::read_png(file, 3);
+    if (!texels) return machine_fails(texels.error());
+    std::vector<std::uint32_t> pictures;
+    int above = texels->height;  // the levels are below each other, the largest on top
+    for (int level = 0; level < TREE_LEVELS; ++level) {
+        const int width = TREE_COLUMNS * TREE_TILE_WIDTH >> level,
+                  height = TREE_ROWS * TREE_TILE_HEIGHT >> level;
+        above -= height;
+        if (level < TREE_FINEST_IN_PAGES) continue;
+        for (int y = above; y < above + height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const std::uint8_t* texel =
+                    &texels
+                         ->values[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(texels->width) +
+                                       static_cast<std::size_t>(x))];
+                const auto part = [&](int i, unsigned most) { return (texel[i] * most + 127u) / 255u; };
+                pictures.push_back(part(0, 15) << 9 | part(1, 15) << 5 | part(2, 31));
+            }
+    }
+    return pictures;
+}
 
 Outcome<PageFiles> read_page_files() {
     const auto assets = assets_folder();
@@ -134,6 +161,9 @@ Outcome<PageFiles> read_page_files() {
         if (!text) return tl::unexpected(text.error());
         files.shaders[name] = std::move(*text);
     }
+    auto pictures = read_tree_pictures(*assets / "textures" / "conifers.png");
+    if (!pictures) return tl::unexpected(pictures.error());
+    files.tree_pictures = std::move(*pictures);
     return files;
 }
 
@@ -376,6 +406,7 @@ Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
         stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
+    if (scenery->has_trees()) stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
     stream.add("files", std::string_view(files.shaders.dump()));
     return {};
 }

@@ -5,30 +5,67 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "assets/shaders/slots.glsl"
 #include "render/gl/program.h"
 #include "render/gl/scissor.h"
+#include "render/pictures/png.h"
 
 namespace render {
 
-tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::path& shaders) {
+namespace {
+
+// Pictures of trees: their levels are below each other in the file.
+tl::expected<Texture, std::string> load_pictures(const std::filesystem::path& file) {
+    constexpr int kWidth = TREE_COLUMNS * TREE_TILE_WIDTH, kHeight = TREE_ROWS * TREE_TILE_HEIGHT;
+    const auto texels = read_png(file, 3);
+    if (!texels) return tl::unexpected(texels.error());
+    int height = 0;
+    for (int level = 0; level < TREE_LEVELS; ++level) height += kHeight >> level;
+    if (texels->width != kWidth || texels->height != height)
+        return tl::unexpected(fmt::format("{}: is {} x {} pixels; pictures of trees are {} x {}",
+                                          file.string(), texels->width, texels->height, kWidth, height));
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    Texture pictures(name);
+    glTextureStorage2D(name, TREE_LEVELS, GL_RGBA8, kWidth, kHeight);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, kWidth);
+    for (int level = 0, rows = height; level < TREE_LEVELS; ++level) {
+        rows -= kHeight >> level;
+        glTextureSubImage2D(name, level, 0, 0, kWidth >> level, kHeight >> level, GL_RGB, GL_UNSIGNED_BYTE,
+                            &texels->values[3 * static_cast<std::size_t>(rows) * kWidth]);
+    }
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return pictures;
+}
+
+}  // namespace
+
+tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::path& assets) {
     const auto link = [&](std::string_view vertex, std::string_view fragment) {
         return link_program(
-            shaders, {{GL_VERTEX_SHADER,
-                       {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
-                      {GL_FRAGMENT_SHADER, {"slots.glsl", fragment}}});
+            assets / "shaders",
+            {{GL_VERTEX_SHADER,
+              {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
+             {GL_FRAGMENT_SHADER, {"slots.glsl", fragment}}});
     };
     TreesPass pass;
     pass.no_vertices_ = make_vertex_array();
     for (const auto& [program, vertex, fragment] :
          {std::tuple{&pass.shadow_, "tree_shadow.vert", "tree_shadow.frag"},
-          std::tuple{&pass.far_, "tree_far.vert", "tree_far.frag"},
-          std::tuple{&pass.plain_, "tree_plain.vert", "tree_plain.frag"},
-          std::tuple{&pass.near_, "tree_near.vert", "tree_near.frag"}}) {
+          std::tuple{&pass.picture_, "tree_picture.vert", "tree_picture.frag"}}) {
         auto linked = link(vertex, fragment);
         if (!linked) return tl::unexpected(linked.error());
         *program = std::move(*linked);
     }
+    auto pictures = load_pictures(assets / "textures" / "conifers.png");
+    if (!pictures) return tl::unexpected(pictures.error());
+    pass.pictures_ = std::move(*pictures);
     return pass;
 }
 
@@ -38,7 +75,7 @@ FollowedWoods::Change TreesPass::follow(const Woods* woods, const Surroundings* 
     const auto change = woods_.follow(woods, around, world, first_depth, glm::vec3(sun), new_ground);
     if (change == FollowedWoods::Change::kNone) return change;
     const LitTrees all = woods_.trees();
-    trees_.reserve(all.trees.size(), all.tiles.size());
+    trees_.reserve(all.trees.size());
     seen_.reserve(all.trees.size());
     listed_.reserve(all.trees.size());
     return change;
@@ -80,15 +117,11 @@ void TreesPass::list(std::span<const Rectangle> parts) {
     listed_.clear();
     parts_.clear();
     for (const Rectangle& part : parts) {
-        Part& listed = parts_.emplace_back(Part{part, listed_.size(), 0, 0, 0, 0});
+        Part& listed = parts_.emplace_back(Part{part, listed_.size(), 0, 0});
         for (std::size_t i = 0; i < trees.size(); ++i) {
             if (!all && !part.meets(seen_[i])) continue;
             listed_.push_back(trees[i]);
             ++listed.all;
-            if (i < trees_.near())
-                ++listed.near;
-            else if (i < trees_.near() + trees_.far())
-                ++listed.far;
             if (i < trees_.with_shadow()) ++listed.with_shadow;
         }
     }
@@ -109,13 +142,13 @@ void TreesPass::draw(std::span<const Rectangle> parts) {
     const Enabled depth_test(GL_DEPTH_TEST), scissors(GL_SCISSOR_TEST);
     bind_storage(SLOT_TREES, instances_);
     glBindVertexArray(no_vertices_.name());
-    const auto draw = [&](const ProgramName& program, int vertices, auto&& first, auto&& count) {
+    const auto draw = [&](const ProgramName& program, auto&& count) {
         glUseProgram(program.name());
         for (const Part& part : parts_) {
             if (count(part) == 0) continue;
             scissor(part.part);
-            glDrawArrays(GL_TRIANGLES, vertices * static_cast<GLint>(first(part)),
-                         vertices * static_cast<GLsizei>(count(part)));
+            glDrawArrays(GL_TRIANGLES, 3 * static_cast<GLint>(part.first),
+                         3 * static_cast<GLsizei>(count(part)));
         }
     };
     {
@@ -124,19 +157,13 @@ void TreesPass::draw(std::span<const Rectangle> parts) {
         glPolygonOffset(2, 256);
         glDepthMask(GL_FALSE);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-        draw(
-            shadow_, 3, [](const Part& p) { return p.first; }, [](const Part& p) { return p.with_shadow; });
+        draw(shadow_, [](const Part& p) { return p.with_shadow; });
         glBlendFunc(GL_ONE, GL_ZERO);
         glDepthMask(GL_TRUE);
         glPolygonOffset(0, 0);
     }
-    draw(
-        near_, TREE_VERTICES, [](const Part& p) { return p.first; }, [](const Part& p) { return p.near; });
-    draw(
-        far_, 3, [](const Part& p) { return p.first + p.near; }, [](const Part& p) { return p.far; });
-    draw(
-        plain_, 3, [](const Part& p) { return p.first + p.near + p.far; },
-        [](const Part& p) { return p.all - p.near - p.far; });
+    glBindTextureUnit(SLOT_TREE_PICTURES, pictures_.name());
+    draw(picture_, [](const Part& p) { return p.all; });
 }
 
 }  // namespace render

@@ -20,7 +20,8 @@ namespace render {
 // Draws conifers and their shadows on the ground.
 class TreesPass {
   public:
-    static tl::expected<TreesPass, std::string> create(const std::filesystem::path& shaders);
+    // Errors, in one sentence with the file: those of a shader, and pictures of trees that cannot be read or have another size.
+    static tl::expected<TreesPass, std::string> create(const std::filesystem::path& assets);
 
     // Makes the trees those of woods and of the world's forest. New ones, and a light from another side, take a few
     // hundredths of a second. As FollowedWoods::follow().
@@ -36,17 +37,18 @@ class TreesPass {
   private:
     void list(std::span<const Rectangle> parts);
 
-    ProgramName shadow_, near_, far_, plain_;
+    ProgramName shadow_, picture_;
+    Texture pictures_;
     VertexArray no_vertices_;
     Buffer instances_;
     FollowedWoods woods_;
     TreesInView trees_;
     std::vector<Rectangle> seen_;  // of each drawn tree, once a part of a frame is drawn
     OnScreen screen_;
-    // The trees of each part, one after the other, as they lie on the GPU; how many of each kind a part has.
+    // The trees of each part, one after the other, as they are on the GPU.
     struct Part {
         Rectangle part;
-        std::size_t first, near, far, with_shadow, all;
+        std::size_t first, with_shadow, all;
     };
     std::vector<DrawnTree> listed_;
     std::vector<Part> parts_;

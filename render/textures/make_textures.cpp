@@ -1,7 +1,10 @@
 #include <cstdio>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "render/pictures/picture.h"
+#include "render/textures/conifer_pictures.h"
 #include "render/textures/texture_recipes.h"
 
 // make_textures FOLDER: writes every image of every recipe into an existing folder. Exit status 1 if an image
@@ -11,14 +14,15 @@ int main(int count, char** arguments) {
         std::fputs("make_textures FOLDER\n", stderr);
         return 2;
     }
-    for (const render::TextureRecipe& recipe : render::texture_recipes()) {
-        for (const auto& [file, picture] : render::make_pictures(recipe)) {
-            const auto written = render::write_png(picture, std::filesystem::path(arguments[1]) / file,
-                                                   render::kSmallestPngCompression);
-            if (written) continue;
-            std::fprintf(stderr, "make_textures: %s\n", written.error().c_str());
-            return 1;
-        }
+    std::vector<render::NamedPicture> pictures{{"conifers.png", render::conifer_pictures()}};
+    for (const render::TextureRecipe& recipe : render::texture_recipes())
+        for (render::NamedPicture& each : render::make_pictures(recipe)) pictures.push_back(std::move(each));
+    for (const auto& [file, picture] : pictures) {
+        const auto written = render::write_png(picture, std::filesystem::path(arguments[1]) / file,
+                                               render::kSmallestPngCompression);
+        if (written) continue;
+        std::fprintf(stderr, "make_textures: %s\n", written.error().c_str());
+        return 1;
     }
     return 0;
 }

@@ -7,16 +7,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "assets/shaders/slots.glsl"
+#include "render/base/conifer.h"
 #include "render/base/ramp.h"
 
 namespace render {
 namespace {
 
-constexpr float kHalfWidth = 0.19f;  // of a tree, of its height
-constexpr float kHalfWidthOfPine = 0.8f;
 constexpr float kWiderInStand = 0.2f;  // by this share, so that a stand is closed
-constexpr float kNearPixels = 100;     // height from which a tree has more than one triangle
 // Far away some trees are left out, and others are drawn larger, so that they cover as much: so many of a
 // tile that the mean one is as wide as this share of the frame's height, because a small frame has few trees
 // anyhow.
@@ -33,7 +30,11 @@ constexpr float kShallow = 0.15f,
                 kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
 constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
 constexpr float kCrushed = 0.65f;            // width of a lying tree, of a standing one's
-constexpr float kLean = 1.5f;                // rad
+constexpr float kLaid = 1.5f;                // rad, of a tree that lies
+constexpr float kLean = 0.05f,
+                kMostLean = 0.22f;  // tangents: of most trees at most, and of one that stands out
+constexpr float kLeaning = 0.06f;   // share of those
+constexpr float kShedInSun = 0.5f;  // share of its snow that a tree on a south slope has lost
 
 // Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
 bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
@@ -82,27 +83,38 @@ float parted(const Tree& tree, const glm::vec3& eye) {
                 glm::distance(glm::vec2(tree.foot), glm::vec2(eye)));
 }
 
+// The way its stem points. Few trees are plumb.
+glm::vec3 upright(const Tree& tree) {
+    const float most = own(tree, 83.3f) < kLeaning ? kMostLean : kLean;
+    const glm::vec2 way(own(tree, 23.9f) - 0.5f, own(tree, 61.7f) - 0.5f);
+    return glm::normalize(glm::vec3(most * std::sqrt(2.f) * way, 1));
+}
+
 // Bends a tree as far as the flow has reached its stem, and lays it into the deposit.
 void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn) {
-    const float aside = 1.1f * (own(tree, 37.3f) - 0.5f), angle = kLean * lying;
+    const float aside = 1.1f * (own(tree, 37.3f) - 0.5f), angle = kLaid * lying;
     const glm::vec2 along =
         glm::vec2(tree.downhill.x - aside * tree.downhill.y, tree.downhill.y + aside * tree.downhill.x) /
         std::sqrt(1 + aside * aside);
     const glm::vec2 root(tree.foot), top = root + tree.height * along;
-    const float radius = kCrushed * kHalfWidth * tree.height;
+    const float radius = kCrushed * kConiferRadius * tree.height;
     // Some lie on the deposit, and some look out of it with one end.
     const float root_z =
         std::lerp(tree.foot.z, surface(world, root) + radius * (0.5f - 1.2f * own(tree, 71.9f)), lying);
     const float top_z = surface(world, top) + radius * (0.9f - 1.5f * own(tree, 53.7f));
     const glm::vec3 flat = glm::normalize(glm::vec3(along * tree.height, top_z - root_z));
     drawn.foot.z = root_z;
-    drawn.axis =
-        glm::vec4(glm::normalize(std::cos(angle) * glm::vec3(0, 0, 1) + std::sin(angle) * flat), tree.chance);
+    drawn.axis = glm::vec4(glm::normalize(std::cos(angle) * glm::vec3(drawn.axis) + std::sin(angle) * flat),
+                           tree.chance);
     drawn.look.w *= std::lerp(1.f, kCrushed, lying);
     drawn.shadow.w *= 1 - lying;
 }
 
 }  // namespace
+
+float snow_kept(const Tree& tree) {
+    return 1 - kShedInSun * std::max(-tree.downhill.y, 0.f);
+}
 
 float lying(const Tree& tree, const FlowSoFar& flow) {
     if (tree.fate != TreeFate::kOfFlow) return tree.fate == TreeFate::kLies ? 1.f : 0.f;
@@ -113,30 +125,25 @@ float lying(const Tree& tree, const FlowSoFar& flow) {
            ramp(kSlow, kFast, flow.speed[vertex]);
 }
 
-// A crown may lean to any side, and its branches reach a little beyond its outline.
+// Its picture faces the eye: seen from above it reaches beside the tree by a share of its height.
 Rectangle TreesInView::seen(const DrawnTree& tree, const OnScreen& screen) {
-    const glm::vec3 foot(tree.foot), top = foot + tree.foot.w * glm::vec3(tree.axis);
-    const float beside = 1.5f * tree.look.w + 0.1f * tree.foot.w;
-    const bool group = tree.kind.y > 1.5f;
-    const glm::vec3 peak = foot + (group ? 1.6f : 1.f) * (top - foot);
-    const Rectangle crown = screen.box(glm::min(foot, peak) - beside, glm::max(foot, peak) + beside);
+    const glm::vec3 foot(tree.foot), top = foot + 1.02f * tree.foot.w * glm::vec3(tree.axis);
+    const float beside = 1.5f * tree.look.w + 0.3f * tree.foot.w;
+    const Rectangle crown = screen.box(glm::min(foot, top) - beside, glm::max(foot, top) + beside);
     if (tree.shadow.w <= 0) return crown;
     const glm::vec3 tip(tree.shadow);
     return around_both(crown,
                        screen.box(glm::min(foot, tip) - beside - 1.f, glm::max(foot, tip) + beside + 1.f));
 }
 
-void TreesInView::reserve(std::size_t trees, std::size_t tiles) {
-    for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_})
-        list->reserve(trees);
+void TreesInView::reserve(std::size_t trees) {
+    upright_.reserve(trees);
     drawn_.reserve(trees);
     moved_.reserve(trees);
-    tiles_.reserve(tiles);
 }
 
 void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScreen& screen) {
-    for (std::vector<Upright>* list : {&upright_, &branched_, &plain_, &without_shadow_}) list->clear();
-    tiles_.clear();
+    upright_.clear();
     const glm::vec3 eye(frame.eye);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
     const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
@@ -144,25 +151,19 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
     const auto share_at = [&](float distance, float group) {
         return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / kMostTogether, 1.f);
     };
-    for (const TreeTile& tile : of.tiles)
-        if (tile.count > 0 &&
-            !screen.box(tile.lowest - kLongestShadow, tile.highest + kLongestShadow).empty())
-            tiles_.push_back(&tile);  // with branches and shadows beside it
-    std::sort(tiles_.begin(), tiles_.end(), [&](const TreeTile* a, const TreeTile* b) {
-        const auto distance = [&](const TreeTile* tile) {
-            return glm::distance(eye, glm::clamp(eye, tile->lowest, tile->highest));
-        };
-        return std::pair(distance(a), a) < std::pair(distance(b), b);
-    });
-    for (const TreeTile* tile : tiles_) {
-        const float first = of.trees[tile->first].chance;  // of few trees of a tile not always one is left
-        for (std::uint32_t k = 0; k < tile->count; ++k) {
-            const std::uint32_t i = tile->first + k;
+    for (const TreeTile& tile : of.tiles) {
+        // With branches and shadows beside it.
+        if (tile.count == 0 ||
+            screen.box(tile.lowest - kLongestShadow, tile.highest + kLongestShadow).empty())
+            continue;
+        const float first = of.trees[tile.first].chance;  // of few trees of a tile not always one is left
+        for (std::uint32_t k = 0; k < tile.count; ++k) {
+            const std::uint32_t i = tile.first + k;
             const Tree& tree = of.trees[i];
             const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
             // One that is left out shrinks first.
             const float share = share_at(distance, tree.group);
-            const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile->count);
+            const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile.count);
             if (rank >= share) continue;
             const float kept =
                 (share < 1 ? std::min((share - rank) / (0.15f * share), 1.f) : 1.f) * parted(tree, eye);
@@ -172,38 +173,28 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
             const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);
             const float height = tree.height * kept * taller, high = height / (distance * pixel);
             const bool group = together > kGroup;
-            const float wide = (tree.kind == TreeKind::kPine ? kHalfWidthOfPine : kHalfWidth) * tree.height *
-                               kept * together / taller * (1 + kWiderInStand * tree.closed);
+            const float wide = (tree.kind == TreeKind::kPine ? kCushionRadius : kConiferRadius) *
+                               tree.height * kept * together / taller * (1 + kWiderInStand * tree.closed);
             const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
-            const DrawnTree drawn{
-                {tree.foot, height},
-                {0, 0, 1, tree.chance},
-                {of.lights[i].sunlit, tree.snow, tree.lower, half},
-                {of.lights[i].tip,
-                 of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)))},
-                {static_cast<float>(tree.kind), group ? std::round(together) : 1, tree.closed, 0}};
-            const bool near = tree.group < 2 && high > kNearPixels * (0.85f + 0.3f * tree.chance);
-            const float pixels = group ? 24 * half / std::round(together) / (distance * pixel) : high;
-            (near                         ? upright_
-             : pixels > TREE_PLAIN_PIXELS ? branched_
-             : drawn.shadow.w > 0         ? plain_
-                                          : without_shadow_)
-                .push_back({drawn, i});
+            const float shadow =
+                of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)));
+            upright_.push_back({{{tree.foot, height},
+                                 {upright(tree), tree.chance},
+                                 {of.lights[i].sunlit, tree.snow, tree.lower, half},
+                                 {of.lights[i].tip, shadow},
+                                 {static_cast<float>(tree.kind), group ? std::round(together) : 1,
+                                  tree.closed, snow_kept(tree)}},
+                                i,
+                                distance});
         }
     }
-    near_ = upright_.size();
-    // What they hide is not shaded. They are few, and large.
-    std::sort(upright_.begin(), upright_.end(), [&](const Upright& a, const Upright& b) {
-        const auto key = [&](const Upright& tree) {
-            return std::pair(glm::distance(glm::vec3(tree.drawn.foot), eye), tree.tree);
-        };
-        return key(a) < key(b);
+    // What they hide is not shaded.
+    std::sort(upright_.begin(), upright_.end(), [](const Upright& a, const Upright& b) {
+        return std::pair(a.distance, a.tree) < std::pair(b.distance, b.tree);
     });
-    far_ = branched_.size();
-    upright_.insert(upright_.end(), branched_.begin(), branched_.end());
-    upright_.insert(upright_.end(), plain_.begin(), plain_.end());
-    with_shadow_ = upright_.size();
-    upright_.insert(upright_.end(), without_shadow_.begin(), without_shadow_.end());
+    const auto shades = [](const Upright& tree) { return tree.drawn.shadow.w > 0; };
+    with_shadow_ = static_cast<std::size_t>(std::find_if(upright_.rbegin(), upright_.rend(), shades).base() -
+                                            upright_.begin());
     drawn_.clear();
     for (const Upright& tree : upright_) drawn_.push_back(tree.drawn);
 }

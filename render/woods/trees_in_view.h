@@ -20,13 +20,17 @@ namespace render {
 // count where the world's state knows.
 float lying(const Tree& tree, const FlowSoFar& flow);
 
+// The share of its snow that a tree keeps: the sun takes half of it from one on a south slope.
+float snow_kept(const Tree& tree);
+
 // A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.
 struct DrawnTree {
     glm::vec4 foot;  // m; height, m
     glm::vec4 axis;  // unit vector from foot to top; its own number, 0 to 1
     glm::vec4 look;  // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
     glm::vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
-    glm::vec4 kind;    // TreeKind; number of tops; how closed the wood is around it, 0 to 1; 0
+    glm::vec4
+        kind;  // TreeKind; number of tops; how closed the wood is around it, 0 to 1; share of snow that branches keep
     bool operator==(const DrawnTree&) const = default;
 };
 
@@ -34,7 +38,7 @@ struct DrawnTree {
 // seeking.
 class TreesInView {
   public:
-    void reserve(std::size_t trees, std::size_t tiles);
+    void reserve(std::size_t trees);
     // Finds the trees that a camera sees, as they stood at tick 0.
     void find(const LitTrees& of, const FrameBlock& frame, const OnScreen& screen);
     // The same for the same camera, if only the trees of some tiles differ. The others stay as settle() left them.
@@ -50,11 +54,8 @@ class TreesInView {
     // The samples that one of them and its shadow may cover.
     static Rectangle seen(const DrawnTree& tree, const OnScreen& screen);
 
-    // First near ones, of some triangles each; then far ones, of one triangle each, with branches; then plain
-    // ones, too small for branches, at first those with a shadow while they stand. Each part from near to far.
+    // From near to far.
     std::span<const DrawnTree> drawn() const { return drawn_; }
-    std::size_t near() const { return near_; }
-    std::size_t far() const { return far_; }
     std::size_t with_shadow() const { return with_shadow_; }  // trees up to the last one with a shadow
 
     // One that settle() moved, and what it was.
@@ -68,16 +69,16 @@ class TreesInView {
     struct Upright {
         DrawnTree drawn;
         std::uint32_t tree;  // in LitTrees::trees
+        float distance;      // of its foot, m
     };
 
-    std::vector<Upright> upright_, branched_, plain_, without_shadow_;
+    std::vector<Upright> upright_;
     std::vector<DrawnTree> drawn_;           // upright_, settled
     std::vector<const DrawnTree*> settled_;  // by tree, while they are found again
     std::vector<DrawnTree> drawn_before_, gone_;
     std::vector<std::size_t> grown_;
     std::vector<Moved> moved_;
-    std::vector<const TreeTile*> tiles_;
-    std::size_t near_ = 0, far_ = 0, with_shadow_ = 0;
+    std::size_t with_shadow_ = 0;
 };
 
 }  // namespace render

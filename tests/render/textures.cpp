@@ -7,6 +7,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "assets/shaders/slots.glsl"
+#include "render/textures/conifer_pictures.h"
 #include "render/textures/gaussian.h"
 #include "render/textures/texture_recipes.h"
 #include "tests/support/places.h"
@@ -209,6 +211,63 @@ TEST(NormalShare, matches_published_tables) {
                                    {3., 0.9986501019683699},
                                    {-4., 3.16712418331e-05}})
         EXPECT_NEAR(normal_share_below(x), share, 1e-10) << x;
+}
+
+// ---- pictures of trees ----
+
+// What a tile of a level shows: share that is covered, and means of its light and of the share of it that is white.
+struct Shown {
+    double covered = 0, light = 0, white = 0;
+};
+Shown shown(const Picture& pictures, int level, int column, int row) {
+    const int width = TREE_TILE_WIDTH >> level, height = TREE_TILE_HEIGHT >> level;
+    int top = 0;
+    for (int k = 0; k < level; ++k) top += TREE_ROWS * TREE_TILE_HEIGHT >> k;
+    top += (TREE_ROWS - 1 - row) * height;
+    Shown sum;
+    for (int y = top; y < top + height; ++y)
+        for (int x = column * width; x < (column + 1) * width; ++x) {
+            const int light = at(pictures, x, y, 2);
+            sum.covered += light > 0;
+            sum.light += light / 255.0;
+            sum.white += light / 255.0 * at(pictures, x, y, 1) / 255.0;
+        }
+    return {sum.covered / (width * height), sum.light / sum.covered, sum.white / sum.covered};
+}
+
+TEST(PicturesOfTrees, are_shipped_bit_identical_to_their_recipe) {
+    const Picture made = conifer_pictures(), found = shipped("conifers.png");
+    ASSERT_EQ(found.width, made.width);
+    ASSERT_EQ(found.height, made.height);
+    ASSERT_EQ(found.channels, made.channels);
+    EXPECT_TRUE(found.pixels == made.pixels) << "conifers.png differs from the output of make_textures";
+}
+
+TEST(PicturesOfTrees, cover_as_much_and_are_as_bright_and_white_at_every_level) {
+    const Picture pictures = shipped("conifers.png");
+    for (int column = 0; column < TREE_COLUMNS; ++column)
+        for (int row = 0; row < TREE_ROWS; ++row) {
+            const Shown first = shown(pictures, 0, column, row);
+            EXPECT_GT(first.covered, 0.1);
+            for (int level = 1; level < TREE_LEVELS; ++level) {
+                const Shown here = shown(pictures, level, column, row);
+                const double texel = 1.0 / ((TREE_TILE_WIDTH >> level) * (TREE_TILE_HEIGHT >> level));
+                EXPECT_NEAR(here.covered, first.covered, 0.03 * first.covered + texel)
+                    << column << row << level;
+                EXPECT_NEAR(here.light, first.light, 0.03) << column << row << level;
+                EXPECT_NEAR(here.white, first.white, 0.03) << column << row << level;
+            }
+        }
+}
+
+TEST(PicturesOfTrees, touch_no_edge_of_their_tiles_but_the_foot) {
+    const Picture pictures = shipped("conifers.png");
+    for (int x = 0; x < TREE_COLUMNS * TREE_TILE_WIDTH; ++x)
+        for (int y = 0; y < TREE_ROWS * TREE_TILE_HEIGHT; ++y) {
+            const int right = x % TREE_TILE_WIDTH, down = y % TREE_TILE_HEIGHT;
+            if (right > 0 && right < TREE_TILE_WIDTH - 1 && down > 0) continue;
+            EXPECT_EQ(at(pictures, x, y, 2), 0) << x << " " << y;
+        }
 }
 
 }  // namespace

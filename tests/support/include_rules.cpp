@@ -86,9 +86,10 @@ std::vector<Room> make_rooms() {
                          .rooms = may,
                          .libraries = {"glm/", "OpenImageIO/", "fmt/", "tl/"}});
     }
-    rooms.push_back({.name = "render/textures",
-                     .rooms = {"render/textures/", "render/base/", "render/pictures/"},
-                     .libraries = {"glm/", "tl/"}});
+    rooms.push_back(
+        {.name = "render/textures",
+         .rooms = {"render/textures/", "render/base/", "render/pictures/", "assets/shaders/slots.glsl"},
+         .libraries = {"glm/", "tl/"}});
     rooms.push_back({.name = "render/gl",
                      .rooms = {"render/gl/", "render/base/", "files/", "sim/core/", "assets/"},
                      .libraries = gl});
