@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>  // program_invocation_name
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@
 #include "game/ensemble/spec.h"
 #include "sim/world/command.h"
 #include "sim/world/params.h"
+#include "terrains/generators.h"
 
 namespace game {
 namespace {
@@ -755,6 +757,42 @@ void add_list(CLI::App& app, ListOptions& options) {
     app.add_flag("--json", options.json, "print as JSON");
 }
 
+// "massif: a mountain side …", and a line for each of its numbers.
+std::string described(const terrains::Generator& generator) {
+    std::string text =
+        fmt::format("\n{}: {}; {} squares\n", generator.name, generator.meaning, generator.squares);
+    for (const auto& number : generator.numbers)
+        text += fmt::format("  {:<20}{}, {} [{}]\n", number.name, number.meaning,
+                            to_text(Range<double>{number.lowest, number.highest, number.unit}), number.usual);
+    return text;
+}
+
+void add_generate(CLI::App& app, GenerateOptions& options) {
+    std::vector<std::string> names;
+    for (const terrains::Generator& each : terrains::generators()) names.emplace_back(each.name);
+    app.add_option("generator", options.generator, fmt::format("{}", fmt::join(names, ", ")))
+        ->type_name("GENERATOR")
+        ->required();
+    app.add_option("--out", options.out, "write the heights, with snow or soil on top")
+        ->type_name("FILE.tif|FILE.asc")
+        ->required();
+    app.add_option(
+           "--layers", options.layers,
+           "write into this folder what else the generator knows of the ground, on the same grid: cover.tif, "
+           "and of massif hardness.tif, talus.tif and drainage.tif")
+        ->type_name("DIR");
+    add_number(app, "--seed", "N", options.seed,
+               Range<std::uint64_t>{0, std::numeric_limits<std::uint64_t>::max()},
+               "of massif: another seed, another mountain", "1");
+    add_number(app, "--grid", "N", options.squares, kSquares, "squares along a side", "the generator's own");
+    app.add_option("--set", options.settings, "set a parameter of the generator, as listed below")
+        ->type_name("NAME=VALUE");
+    app.add_flag("--json", options.json, "print what was made as JSON");
+    std::string footer = "Parameters, with range and default:\n";
+    for (const terrains::Generator& each : terrains::generators()) footer += described(each);
+    app.footer(footer);
+}
+
 // Checks the options of `track` against each other and sets the defaults that depend on others.
 Outcome<void> check(TrackOptions& options) {
     return complete(options.rule, options.scalar.has_value(), "--");
@@ -857,6 +895,13 @@ const auto& subcommands() {
                    with(add_ensemble, ensemble)},
         Subcommand{"release", "find where slabs of snow may let go on a mountain",
                    with(add_release, release)},
+        Subcommand{"terrain", "make terrain: couloir terrain generate",
+                   [](CLI::App& app) {
+                       app.require_subcommand(1);
+                       CLI::App* const generate = app.add_subcommand(
+                           "generate", "make a mountain by a generator, as a file for a GIS and for scenes");
+                       return with(add_generate, generate_terrain)(*generate);
+                   }},
         Subcommand{"edit", "change one command of a recording, run it again, and compare the results",
                    with(add_edit, edit)},
         Subcommand{

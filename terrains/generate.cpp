@@ -5,8 +5,6 @@
 #include <numbers>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "terrains/resample.h"
 
 namespace terrains {
@@ -27,17 +25,6 @@ double tangent(double degrees) {
 double eased(double low, double high, double value) {
     const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
     return t * t * (3 - 2 * t);
-}
-
-template <class Recipe, class Numbers>
-tl::expected<void, std::string> check_numbers(const Recipe& recipe, const Numbers& numbers) {
-    for (const auto& number : numbers) {
-        const double value = recipe.*(number.value);
-        if (!(value >= number.lowest && value <= number.highest))
-            return tl::unexpected(fmt::format("'{}' is {} {}; it must be {} to {} {}", number.name, value,
-                                              number.unit, number.lowest, number.highest, number.unit));
-    }
-    return {};
 }
 
 // Samples height(x, downhill) and cover(x, downhill), in metres, on a square of `length`.

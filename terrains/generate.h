@@ -5,6 +5,7 @@
 
 #include <tl/expected.hpp>
 
+#include "terrains/recipe.h"
 #include "terrains/resample.h"
 #include "terrains/terrain.h"
 
@@ -16,16 +17,6 @@ namespace terrains {
 // north, so the slope falls to the south: y = length − downhill. Not placed on Earth; has_data is 1
 // everywhere. Both fail if squares are outside 8 to 4096 or a parameter is outside its range. The error names
 // the parameter.
-
-// One parameter of a recipe: its key in a scene file, and its range.
-template <class Recipe>
-struct RecipeNumber {
-    const char* name;
-    double Recipe::*value;
-    double lowest, highest;
-    const char* unit;
-    const char* meaning;
-};
 
 // "slope-of-soil": a steady slope that eases into flat ground, a shallow hollow down its middle, gentle
 // unevenness, and soil that thins out at the break. x 0 to 160, y 0 (foot) to 160 (top). The recipe's heap at

@@ -57,6 +57,7 @@ constexpr Room kRooms[] = {
     {"render/base", 2, "base", "noise, rectangles"},
     {"render/pictures", 6, "pictures", "PNG, by a module"},
     {"terrains", 0, "terrains", "mountains from files"},
+    {"terrains/massif", 0, "massif", "a mountain by erosion"},
     {"sim", 1, "step", "a tick, on one screen"},
     {"sim/verification", 1, "verification", "exact answers"},
     {"sim/sweep", 1, "sweep", "many cells at a time"},

@@ -97,20 +97,33 @@ std::optional<Words> arguments_of(const Quoted& quoted) {
 
 class Help {
   public:
-    // The help of a subcommand, or of the program itself for ""; none: there is no such subcommand.
+    // The help of a subcommand, or of the program itself for ""; none: there is no such subcommand. `terrain generate` is a
+    // subcommand of a subcommand.
     const std::optional<std::string>& of(const std::string& subcommand) {
         const auto [known, is_new] = known_.try_emplace(subcommand);
-        if (is_new && is_there(subcommand))
-            known->second =
-                game::test::couloir(subcommand.empty() ? Words{"--help"} : Words{subcommand, "--help"}).out +
-                " --help ";
+        if (!is_new) return known->second;
+        Words words = words_of(subcommand);
+        if (words.empty() || is_there(words)) {
+            words.push_back("--help");
+            known->second = game::test::couloir(words).out + " --help ";
+        }
         return known->second;
+    }
+    // The subcommand that a call begins with.
+    std::string named_by(const Words& call) {
+        if (call[0].starts_with("-")) return {};
+        const bool is_nested = call.size() > 1 && of(call[0]) && is_there({call[0], call[1]});
+        return is_nested ? call[0] + " " + call[1] : call[0];
     }
 
   private:
     // The program prints its own help for a word that it does not know.
-    bool is_there(const std::string& subcommand) {
-        return subcommand.empty() || of("")->find("\n  " + subcommand + " ") != std::string::npos;
+    bool is_there(Words words) {
+        const std::string last = words.back();
+        words.pop_back();
+        const std::string& above = *of(words.empty() ? "" : words[0]);
+        const auto list = above.find("\nSubcommands:");
+        return list != std::string::npos && above.find("\n  " + last + " ", list) != std::string::npos;
     }
 
     std::map<std::string, std::optional<std::string>> known_;
@@ -118,8 +131,7 @@ class Help {
 
 // What is wrong with a documented call; empty if nothing.
 std::string fault_of_call(const Words& words, Help& help) {
-    const bool is_global = words[0].starts_with("-");
-    const auto& known = help.of(is_global ? "" : words[0]);
+    const auto& known = help.of(help.named_by(words));
     if (!known) return "there is no subcommand " + words[0];
     for (const std::string& word : words) {
         if (!word.starts_with("--")) continue;

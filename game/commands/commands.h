@@ -124,6 +124,18 @@ struct ReleaseOptions {
 // Finds where slabs of snow may let go on a DEM or in a scene; 1 if nowhere.
 Outcome<int> release(const ReleaseOptions& options);
 
+struct GenerateOptions {
+    std::string generator;  // its name
+    std::filesystem::path out;
+    std::optional<std::filesystem::path> layers;  // folder for what else the generator knows
+    std::uint64_t seed = 1;
+    std::optional<int> squares;
+    std::vector<std::string> settings;  // "relief=800"
+    bool json = false;
+};
+// Makes a mountain by a generator and writes its heights as GeoTIFF or ESRI ASCII.
+Outcome<int> generate_terrain(const GenerateOptions& options);
+
 struct NormaliseOptions {
     std::string recording;  // name or file
     std::filesystem::path out;

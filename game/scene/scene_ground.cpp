@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "files/input.h"
 #include "terrains/dem_gdal.h"
-#include "terrains/generate.h"
+#include "terrains/generators.h"
 #include "terrains/heightmap_image.h"
 #include "terrains/limits.h"
 
@@ -18,28 +25,24 @@ using terrains::GridChoice;
 using terrains::Terrain;
 using MaybeTerrain = tl::expected<Terrain, std::string>;
 
-template <class Recipe, class Numbers>
-Recipe read_recipe(TomlTable& table, const Numbers& numbers) {
-    Recipe recipe;
-    for (const auto& number : numbers)
-        if (const auto value = table.number(number.name, number.lowest, number.highest))
-            recipe.*number.value = *value;
-    return recipe;
-}
-
-MaybeTerrain generate(TomlTable& table, const std::string& generator, const GridChoice& choice) {
-    if (generator == "slope-of-soil") {
-        const auto recipe = read_recipe<terrains::SoilSlope>(table, terrains::kSoilSlopeNumbers);
-        table.finish();
-        return terrains::generate_soil_slope(recipe, choice);
+MaybeTerrain generate(TomlTable& table, const std::string& name, const GridChoice& choice) {
+    const terrains::Generator* generator = terrains::find_generator(name);
+    if (!generator) {
+        std::vector<std::string_view> known;
+        for (const terrains::Generator& each : terrains::generators()) known.emplace_back(each.name);
+        table.blame("generator", fmt::format("is none of {}", fmt::join(known, ", ")));
+        return tl::unexpected(std::string());
     }
-    if (generator == "alpine-valley") {
-        const auto recipe = read_recipe<terrains::AlpineValley>(table, terrains::kAlpineValleyNumbers);
-        table.finish();
-        return terrains::generate_alpine_valley(recipe, choice);
-    }
-    table.blame("generator", "is neither \"slope-of-soil\" nor \"alpine-valley\"");
-    return tl::unexpected(std::string());
+    std::vector<double> values;
+    for (const auto& number : generator->numbers)
+        values.push_back(table.number(number.name, number.lowest, number.highest).value_or(number.usual));
+    std::int64_t seed = 1;
+    if (generator->seeded)
+        seed = table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(seed);
+    table.finish();
+    auto made = generator->make(values, static_cast<std::uint64_t>(seed), choice);
+    if (!made) return tl::unexpected(made.error());
+    return std::move(made->terrain);
 }
 
 MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice& choice,

@@ -181,6 +181,7 @@ TEST(CommandLine, help_of_every_subcommand_names_every_option) {
                    "--against", "--tolerance", "--threads", "--kernel",  "local-lax-friedrichs"}},
         {"figures", {"--out", "--quick", "--only", "--pixels", "--gl", "--threads"}},
         {"gallery", {"--out", "--terrain", "--size", "--gl", "--max-memory", "--threads"}},
+        {"terrain", {"generate"}},
         {"list", {"--json"}}};
     const Finished all = couloir({"--help"});
     EXPECT_EQ(all.status, 0);

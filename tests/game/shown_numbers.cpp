@@ -11,6 +11,7 @@
 
 #include "game/recording/json_values.h"
 #include "sim/world/params.h"
+#include "terrains/generators.h"
 #include "tests/support/places.h"
 
 namespace game::test {
@@ -72,6 +73,9 @@ TEST(ShownNumbers, have_the_ranges_that_the_page_of_scenes_states) {
     page.expect("", kFlowNumbers);
     for (const sim::ParamInfo& info : sim::kParams)
         page.expect(std::string(info.name), shortest(info.least), shortest(info.most));
+    for (const terrains::Generator& generator : terrains::generators())
+        for (const terrains::GeneratorNumber& number : generator.numbers)
+            page.expect(number.name, number.lowest, number.highest);
 }
 
 TEST(ShownNumbers, of_the_page_are_found_and_told_apart) {
