@@ -22,8 +22,9 @@ struct Skin {
 // Small relief at a place, from broad to narrow.
 struct Detail {
     vec4 broad, soft, rock, clumps;
-    vec2 at;     // m, where finer relief is taken
-    float tone;  // 0 to 1, the broadest variation
+    vec2 at;      // m, where finer relief is taken
+    float tone;   // 0 to 1, the broadest variation
+    vec2 strata;  // of steep ground: tone of its bed, −0.5 to 0.5; how much of a ledge it is, 0 to 1
 };
 
 // Tiles of grain and sastrugi: 27 m along the wind, 9 m across.
@@ -65,6 +66,28 @@ vec2 to_ground(Place p, vec2 rise) {
     return rise.y * p.slope + (abs(p.slope.x) > abs(p.slope.y) ? vec2(0.0, rise.x) : vec2(rise.x, 0.0));
 }
 
+// A number for each bed, 0 to 1.
+vec3 of_beds(vec3 number) {
+    uvec3 h = uvec3(ivec3(number)) * 0x9E3779B1u;
+    h = (h ^ (h >> 15u)) * 0x2C1B3C6Du;
+    return vec3((h ^ (h >> 13u)) & 0xFFFFu) / 65535.0;
+}
+
+// Beds of rock of three thicknesses, some 40, 11 and 3 m, that dip and wave: tone, and ledge. A ledge is the top of a hard
+// bed, from which a softer one has retreated.
+vec2 strata_at(Place p, Detail d) {
+    vec4 folds = detail(p, DETAIL_SOFT, p.at.xy, turned(0.766, 0.643, 270.0), 270.0);
+    float bed = dot(p.at, vec3(0.008, 0.005, 0.09)) + 2.0 * d.broad.z + 2.2 * folds.z + 0.8 * d.soft.z + 0.5 * d.rock.z;
+    vec3 place = bed * vec3(0.27, 1.0, 3.3) + vec3(0.0, 0.37, 0.71), number = floor(place), up = place - number;
+    vec3 below = of_beds(number - 1.0), here = of_beds(number);
+    vec3 seen = clamp(1.3 - p.footprint * vec3(0.02, 0.10, 0.40), 0.0, 1.0);
+    vec3 tone = mix(below, here, smoothstep(0.0, 0.12, up)) - 0.5;
+    vec3 ledge = smoothstep(0.0, 0.05, up) * (1.0 - smoothstep(0.08, 0.40, up)) * smoothstep(0.05, 0.35, below - here);
+    // A bed wedges out here and there, and joints break its edge.
+    vec3 runs = smoothstep(0.30, 0.65, vec3(d.soft.z, d.soft.w, d.clumps.z) + 0.5 * (of_beds(number + 57.0) - 0.5) + 1.8 * (folds.zwz - 0.52) + 0.7 * (0.4 - d.rock.z));
+    return vec2(dot(tone * seen, vec3(0.42, 0.36, 0.22)), dot(ledge * runs * seen, vec3(0.60, 0.50, 0.35)));
+}
+
 Detail detail_at(Place p) {
     // Scales from hundreds of metres to centimetres, so that something is seen at any distance. Broad noise bends finer
     // noise, which hides its lattice and its repeats. It bends by little, or its 256 steps would show.
@@ -80,6 +103,7 @@ Detail detail_at(Place p) {
     if (side) d.rock.xy = to_ground(p, d.rock.xy);
     d.at = p.at.xy + (d.soft.zw - 0.5) * 4.0;
     d.clumps = detail(p, DETAIL_CLUMPS, d.at, turned(0.980, 0.199, 26.0), 26.0);
+    d.strata = dot(p.slope, p.slope) > 0.3 ? strata_at(p, d) * frame.haze.w : vec2(0.0);
     return d;
 }
 
@@ -90,7 +114,10 @@ float thinned(Place p, Detail d, float share) {
     float steep = min(length(p.slope), 1.2);
     float patchy = 0.8 * (d.tone - 0.373) + 0.3 * (d.soft.z - 0.53) + (0.15 + 0.45 * steep) * (d.rock.z - 0.40) + 0.12 * (d.clumps.z - 0.59);
     float most = 0.30 + 0.12 * steep;
-    return share - 0.5 - min(patchy, mix(most, patchy, 0.25)) * frame.haze.w;
+    // Rock sheds snow, but for its ledges and hollows.
+    float rocky = smoothstep(0.75, 1.15, length(p.slope) + 0.3 * (d.soft.z - 0.5)), snowy = smoothstep(0.55, 0.75, frame.standing.g);
+    float held = rocky * frame.haze.w * (2.6 * max(d.strata.y - 0.12, 0.0) + 0.9 * (0.34 - d.rock.z) + 0.3 * (0.42 - d.clumps.z));
+    return share - 0.5 - min(patchy, mix(most, patchy, 0.25)) * frame.haze.w + held * (held > 0.0 ? snowy : 1.0);
 }
 
 // Where one material ends on another that nothing has touched, as snow does in spring: the border reaches down into
@@ -109,11 +136,11 @@ float patchy_share(Detail d, float share) {
     return mix(share, ragged, frame.haze.w);
 }
 
-// Share of rock in bare ground: steep or high.
+// Share of rock in bare ground: steep or high. What sticks out of snow is rather rock.
 float stony(Place p, Detail d) {
-    float altitude = (p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z);
+    float altitude = (p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z), snowy = smoothstep(0.55, 0.75, frame.standing.g);
     return smoothstep(0.50, 0.95, length(p.slope) + 0.5 * (d.broad.z - 0.5) + 0.35 * (d.rock.z - 0.5) +
-                                      0.35 * smoothstep(0.45, 1.0, altitude) * frame.haze.w);
+                                      (0.35 + 0.5 * snowy) * smoothstep(0.45 - 0.2 * snowy, 1.0, altitude) * frame.haze.w);
 }
 
 // The finest scale is that of what lies on top: stone, or grain along the wind.
@@ -127,13 +154,10 @@ Skin ground(Place p, Detail d, vec4 fine) {
     float bare = stony(p, d);
     vec3 grass = frame.meadow.rgb * mix(vec3(0.68, 0.76, 0.72), vec3(1.55, 1.30, 1.15), d.tone);
     grass *= 0.40 + 0.22 * d.soft.z + 0.22 * d.rock.z + 0.20 * d.clumps.z + 0.50 * fine.z;
-    float bed = dot(p.at, vec3(0.008, 0.005, 0.09)) + 2.0 * d.broad.z + 0.8 * d.soft.z + 0.4 * d.rock.z;
-    vec2 beds = abs(fract(bed * vec2(1.0, 3.7)) * 2.0 - 1.0) - 0.5;  // two thicknesses
-    beds *= clamp(vec2(1.3, 1.2) - p.footprint * vec2(0.12, 0.45), 0.0, 1.0) * frame.haze.w;
-    float band = 0.26 * beds.x + 0.22 * beds.y;
-    vec3 stone = frame.rock.rgb * (0.42 + 0.75 * d.rock.z + 0.45 * fine.z + band) * mix(vec3(1.10, 1.0, 0.88), vec3(0.92, 1.0, 1.09), d.tone);
+    float band = 0.9 * d.strata.x, crack = 1.0 - smoothstep(0.10, 0.24, d.rock.z);
+    vec3 stone = frame.rock.rgb * (0.42 + 0.70 * d.rock.z + 0.45 * fine.z + band) * (1.0 - 0.45 * crack) * mix(vec3(1.12, 1.0, 0.86), vec3(0.90, 1.0, 1.10), clamp(d.tone + 0.8 * d.strata.x, 0.0, 1.0));
     return Skin(mix(grass, stone, bare),
-                mix(0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.8 * d.rock.xy + 0.5 * fine.xy + 1.5 * band * p.slope, bare),
+                mix(0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.9 * d.rock.xy + 0.5 * fine.xy + 0.5 * d.soft.xy + (0.8 * band - 0.5 * d.strata.y) * p.slope, bare),
                 mix(0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.60 + 0.8 * d.rock.z, bare));
 }
 

@@ -5,7 +5,7 @@
 // sky.
 vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     // The sky is brighter on one side and has the colours of its horizon, which gives shape to slopes in the shade.
-    float sunward = dot(normal.xy, vec2(frame.toward.w, frame.away.w)), glowing = 0.5 * max(frame.zenith.w, 0.0);
+    float sunward = dot(normal.xy, vec2(frame.toward.w, frame.away.w)), glowing = 0.75 * max(frame.zenith.w, 0.0);
     vec3 sky = frame.above.rgb * (1.0 + frame.zenith.w * sunward) +
                (glowing * sunward) * (frame.toward.rgb - frame.away.rgb);
     // Under a high sun even slopes look flat. They are drawn with more contrast then, as a photographer prints them,
@@ -14,7 +14,7 @@ vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     float facing = max(dot(normal, frame.sun.xyz), 0.0);
     facing *= 1.0 + kContrast * frame.lamp.w * (facing - frame.sun.z);
     sunlit *= mix(1.0, min(open + 0.1, 1.0), 0.9 * frame.lamp.w);
-    vec3 around = mix(frame.below.rgb, sky, 0.5 + 0.5 * normal.z) * open;
+    vec3 around = mix(frame.below.rgb, sky, 0.5 + 0.5 * normal.z) * mix(open, 1.0, 0.5 * frame.lamp.w);
     return albedo * (frame.lamp.rgb * (facing * sunlit) + around);
 }
 

@@ -48,7 +48,7 @@ void main() {
     float row = dot(vec3(1.0), step(vec3(TREE_ROW_LIMITS), vec3(seen_from)));
     place.xy = vec2(mirror * card.x / wide, (card.y - low) / (top - low));
     float texels = float(TREE_TILE_HEIGHT) * away * frame.material.y / (high * (top - low));  // in a sample
-    if (group) texels *= 0.35;  // its tops are narrow
+    if (group) texels *= 0.6;  // its tops are narrow
     float level = clamp(floor(log2(texels) + 0.15), float(TREE_FINEST), float(TREE_LEVELS) - 1.0);
     vec2 tile = vec2(TREE_TILE_WIDTH, TREE_TILE_HEIGHT) * exp2(-level);
     place.zw = tile * vec2(column_of(tree, group) + 0.5 + 0.5 * place.x, row + place.y);

@@ -2,7 +2,7 @@
 const kHalfWidth = 0.19, kHalfWidthOfPine = 0.8, kWiderInStand = 0.2;  // of a tree, of its height
 const kWideOfHeight = 0.0145, kLeastWide = 5.5, kMostWide = 10.5;  // of the mean tree: of the frame's height, pixels
 const kMeanWidth = 5, kMostTogether = 20;  // m; trees that one stands for
-const kGroup = 5, kWidthOfGroup = 0.75, kTaller = 0.4;
+const kGroup = 8, kWidthOfGroup = 0.75, kTaller = 0.4;
 const kLongestShadow = 36, kShadowPixels = 7;  // m; height below which a tree casts none
 const kCrushed = 0.65, kLaid = 1.5;  // width of a lying tree, of a standing one's; rad
 const kLean = 0.05, kMostLean = 0.22, kLeaning = 0.06;  // tangents of standing ones; share of those that lean most

@@ -274,14 +274,13 @@ Conifer grow_dwarf_pine(std::uint32_t seed) {
 Conifer grow_group(std::uint32_t seed) {
     Chance chance(seed);
     Conifer group;
-    constexpr int kTrees = 34;
+    constexpr int kTrees = 12;
     const std::array<Conifer, 2> kinds{grow_spruce(seed + 1, 0.68f), grow_spruce(seed + 2, 0.45f)};
     for (int i = 0; i < kTrees; ++i) {
-        const float x = glm::mix(-0.9f, 0.9f, (static_cast<float>(i) + chance()) / kTrees),
+        const float x = glm::mix(-0.82f, 0.82f, (static_cast<float>(i) + chance()) / kTrees),
                     y = chance(-0.35f, 0.35f);
         // Lower at the ends, so that it goes over into the next one.
-        const float high = chance(0.55f, 0.99f) * (1 - 0.45f * x * x),
-                    wide = 1.1f * std::min(high + 0.15f, 1.f);
+        const float high = chance(0.5f, 1.0f) * (1 - 0.3f * x * x), wide = 1.4f * std::min(high + 0.1f, 1.f);
         const float bright = chance(0.8f, 1.15f);
         for (const ConiferFace& face : kinds[static_cast<std::size_t>(i) % 2]) {
             const auto put = [&](glm::vec3 p) {

@@ -29,7 +29,7 @@ Conifer grow_spruce(std::uint32_t seed, float snowy, float top = 1);
 Conifer grow_larch(std::uint32_t seed);
 // Dwarf pine: a low cushion of stems that rise on all sides.
 Conifer grow_dwarf_pine(std::uint32_t seed);
-// A few dozen spruces side by side, twice as wide as high.
+// A dozen spruces side by side, twice as wide as high.
 Conifer grow_group(std::uint32_t seed);
 
 }  // namespace render

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMoonTakesOver = -2;  // degrees of the sun; the sun has set, the moon does not shine yet
 constexpr double kMoonElevation = 35;  // degrees
-const glm::dvec3 kMoon(0.115, 0.145, 0.205);
+const glm::dvec3 kMoon(0.143, 0.175, 0.238);
 
 // The share of light that passes the air above a place, by the height of its source, ≥ 0 degrees.
 glm::dvec3 transmitted(double elevation_deg) {
@@ -32,7 +32,7 @@ constexpr Hours kAbove{{0.064, 0.124, 0.262},
                        {0.120, 0.182, 0.285},
                        {0.205, 0.222, 0.310},
                        {0.110, 0.156, 0.268},
-                       {0.029, 0.041, 0.072}};
+                       {0.020, 0.031, 0.060}};
 constexpr Hours kBelow{{0.088, 0.086, 0.088},
                        {0.125, 0.125, 0.128},
                        {0.165, 0.142, 0.138},
@@ -59,9 +59,9 @@ SkyLight sky_light(double sun_elevation_deg) {
         const glm::dvec3 day = glm::mix(glm::mix(of.high, of.noon, noon), of.low, low);
         return glm::mix(glm::mix(day, of.dusk, dusk), of.night, night);
     };
-    // The air dims a low sun to a hundredth. A camera would follow, and so does this exposure. At noon it keeps
-    // slopes of snow that face the sun below white.
-    const double exposure = (1.0 + 1.5 * std::exp(-h / 18)) * (1 - 0.28 * noon);
+    // The air dims a low sun to a hundredth. A camera would follow, and so does this exposure. It keeps slopes
+    // of snow that face a high sun below white.
+    const double exposure = 0.62 + 1.75 * std::exp(-h / 19);
     const glm::dvec3 through = transmitted(h);
     const double up = ramp(-1, 1.5, sun_elevation_deg);  // share of the sun above the horizon
 

@@ -22,7 +22,7 @@ constexpr float kMeanWidth = 5;                                                 
 constexpr float kMostTogether = 20;                                             // trees that one stands for
 // One that stands for few is a larger tree, one that stands for more a group of them side by side, which is
 // not as wide because it has no flanks to its foot.
-constexpr float kGroup = 5, kWidthOfGroup = 0.75f;
+constexpr float kGroup = 8, kWidthOfGroup = 0.75f;
 constexpr float kTaller = 0.4f;       // power of how many it stands for by which one is taller
 constexpr float kLongestShadow = 36;  // m
 constexpr float kShadowPixels = 7;  // height below which a tree casts none, or four times that within a stand

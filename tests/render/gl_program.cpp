@@ -15,7 +15,8 @@ class Shaders : public Gl {
   protected:
     void SetUp() override {
         Gl::SetUp();
-        fs::copy(support::source_dir() / "assets" / "shaders", folder_.path() / "shaders");
+        for (const char* folder : {"shaders", "textures"})
+            fs::copy(support::source_dir() / "assets" / folder, folder_.path() / folder);
     }
 
     void insert_after(const std::string& shader, int line, const std::string& text) const {

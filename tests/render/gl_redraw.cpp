@@ -233,6 +233,7 @@ const Mistake kMistakes[] = {
     // The upper edge of a long wall slopes a little, so that its stairs are long; somewhere on it a tower rises.
     {"edges", [](RedrawRules& rules) { rules.edge_reach = 0; },
      [](Play& play) {
+         play.light = {0, 12};  // the wall is dark before the sky
          play.camera = {{128, 128, 20}, 180, 2, 900, 25};
          for (int x = 12; x < 60; ++x) play.set_tower({x, 31}, {x, 33}, 10 + 0.3f * static_cast<float>(x));
      },

@@ -356,7 +356,8 @@ TEST_F(RasterStates, a_system_given_by_code_or_text) {
 
 // GDAL's pixels and OpenImageIO's channels are read in one source each.
 TEST(Rasters, are_read_in_one_place) {
-    for (const auto& entry : fs::directory_iterator(support::source_dir() / "terrains")) {
+    for (const auto& entry : fs::recursive_directory_iterator(support::source_dir() / "terrains")) {
+        if (!entry.is_regular_file()) continue;
         std::ifstream file(entry.path());
         const std::string text((std::istreambuf_iterator<char>(file)), {});
         const std::string name = entry.path().filename().string();
