@@ -263,7 +263,7 @@ void add_play(CLI::App& app, PlayOptions& options) {
     app.add_option(
            "what", options.what,
            "name of a scene, or a file: a scene (.toml), a recording to watch and continue (.couloir), or an "
-           "elevation raster [winter-valley]")
+           "elevation raster [couloir]")
         ->type_name("SCENE");
     add_number(app, "--until", "TICK", options.until, kTicks,
                "take over the recording at this tick, not at its end");

@@ -17,8 +17,8 @@ class Guide {
     static std::optional<Step> step_of(std::string_view name);
 
     // What is opened for the steps: a recording to watch, a mountain to play on, and a challenge.
-    static constexpr const char* kSlide = "winter-avalanche.couloir";
-    static constexpr const char* kMountain = "winter-valley";
+    static constexpr const char* kSlide = "couloir-avalanche.couloir";
+    static constexpr const char* kMountain = "couloir";
     static constexpr const char* kChallenge = "one-shovel";
 
     Guide() = default;
