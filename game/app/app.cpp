@@ -22,8 +22,8 @@
 namespace game {
 namespace {
 
-constexpr double kTickBudget = 0.04;            // s per frame; more would make the display stutter
-constexpr double kOpeningSpeed = 2;             // ×
+constexpr double kTickBudget = 0.04;             // s per frame; more would make the display stutter
+constexpr double kOpeningSpeed = 2;              // ×
 constexpr glm::dvec2 kPlaceToClick(1325, 1775);  // m, on the guide's mountain: where a small blast does most
 
 // Milliseconds since the last call.
