@@ -20,8 +20,8 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"landslide", "30e3f09a0a0cd7f2"},         {"landslide-bcre", "d941fb9cf4d1fed0"},
-    {"couloir-avalanche", "7c830450d08238c2"}, {"snow-avalanche", "2dfe0f955228b5df"},
+    {"couloir-avalanche", "7c830450d08238c2"}, {"landslide", "30e3f09a0a0cd7f2"},
+    {"landslide-bcre", "d941fb9cf4d1fed0"},    {"snow-avalanche", "2dfe0f955228b5df"},
     {"winter-avalanche", "e440189c0539f404"},
 };
 
