@@ -768,9 +768,7 @@ std::string described(const terrains::Generator& generator) {
 }
 
 void add_generate(CLI::App& app, GenerateOptions& options) {
-    std::vector<std::string> names;
-    for (const terrains::Generator& each : terrains::generators()) names.emplace_back(each.name);
-    app.add_option("generator", options.generator, fmt::format("{}", fmt::join(names, ", ")))
+    app.add_option("generator", options.generator, terrains::generator_names())
         ->type_name("GENERATOR")
         ->required();
     app.add_option("--out", options.out, "write the heights, with snow or soil on top")

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "terrains/massif/exact.h"
 #include "terrains/resample.h"
 
 namespace terrains {
@@ -21,11 +22,7 @@ double tangent(double degrees) {
     return std::tan(degrees * kPi / 180);
 }
 
-// Smooth step: 0 below `low`, 1 above `high`.
-double eased(double low, double high, double value) {
-    const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
+using massif::eased;
 
 // Samples height(x, downhill) and cover(x, downhill), in metres, on a square of `length`.
 template <class Height, class Cover>

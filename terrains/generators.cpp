@@ -62,6 +62,12 @@ std::span<const Generator> generators() {
     return kGenerators;
 }
 
+std::string generator_names() {
+    std::string names;
+    for (const Generator& each : generators()) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    return names;
+}
+
 const Generator* find_generator(std::string_view name) {
     const auto found = std::ranges::find(generators(), name, &Generator::name);
     return found == generators().end() ? nullptr : &*found;

@@ -46,6 +46,7 @@ struct Generator {
         make;
 };
 std::span<const Generator> generators();
+std::string generator_names();                           // "massif, alpine-valley, …"
 const Generator* find_generator(std::string_view name);  // null: none of this name
 
 }  // namespace terrains

@@ -64,8 +64,9 @@ class Scenery {
         const pictures = gl.createTexture();
         gpu.bind(slots.SLOT_TREE_PICTURES, pictures);
         gl.texStorage2D(gl.TEXTURE_2D, sizes.length, gl.RGB8, ...sizes[0]);
-        for (const which of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-            gl.texParameteri(gl.TEXTURE_2D, which, which === gl.TEXTURE_MAG_FILTER ? gl.NEAREST : gl.NEAREST_MIPMAP_NEAREST);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST_MIPMAP_NEAREST);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
         let first = 0;
         sizes.forEach(([wide, high], level) => {
             const texels = new Uint8Array(3 * wide * high);
@@ -73,7 +74,6 @@ class Scenery {
                 const texel = packed[first + i];
                 texels.set([17 * (texel >> 9), 17 * (texel >> 5 & 15), Math.round((texel & 31) * 255 / 31)], 3 * i);
             }
-            gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
             gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, wide, high, gl.RGB, gl.UNSIGNED_BYTE, texels);
             first += wide * high;
         });

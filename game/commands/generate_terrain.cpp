@@ -6,13 +6,14 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "game/base/number.h"
 #include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/file_use.h"
+#include "game/files/text_file.h"
 #include "game/recording/json_values.h"
+#include "sim/core/angle.h"
 #include "terrains/export.h"
 #include "terrains/generators.h"
 
@@ -56,9 +57,9 @@ std::array<double, kSteps.size()> slopes_of(const terrains::Terrain& terrain) {
     for (int y = 1; y + 1 < grid.ny; ++y)
         for (int x = 1; x + 1 < grid.nx; ++x) {
             const double run = 2.0 * static_cast<double>(grid.dx);
-            const double slope = std::atan(
-                std::hypot(height(x + 1, y) - height(x - 1, y), height(x, y + 1) - height(x, y - 1)) / run);
-            const auto step = static_cast<std::size_t>(slope * 180 / 3.14159265358979323846 / 15);
+            const double rise =
+                std::hypot(height(x + 1, y) - height(x - 1, y), height(x, y + 1) - height(x, y - 1));
+            const auto step = static_cast<std::size_t>(sim::degrees_of_slope(rise, run) / 15);
             shares[std::min(step, shares.size() - 1)] += 1;
         }
     for (double& share : shares) share /= static_cast<double>(grid.nx - 2) * (grid.ny - 2);
@@ -73,9 +74,7 @@ Outcome<void> write(const Generated& made, const GenerateOptions& options) {
                 : terrains::write_geotiff(options.out, terrain.grid, terrain.georeference, terrain.surface);
     if (!written) return machine_fails(written.error());
     if (!options.layers) return {};
-    std::error_code error;
-    std::filesystem::create_directories(*options.layers, error);
-    if (error) return machine_fails(fmt::format("{}: {}", options.layers->string(), error.message()));
+    if (auto made_folder = make_folder(*options.layers); !made_folder) return made_folder;
     const auto layer = [&](const std::string& name, const std::vector<float>& values) {
         return terrains::write_geotiff(*options.layers / (name + ".tif"), terrain.grid, terrain.georeference,
                                        values);
@@ -90,12 +89,9 @@ Outcome<void> write(const Generated& made, const GenerateOptions& options) {
 
 Outcome<int> generate_terrain(const GenerateOptions& options) {
     const Generator* generator = terrains::find_generator(options.generator);
-    if (!generator) {
-        std::vector<std::string_view> known;
-        for (const Generator& each : terrains::generators()) known.emplace_back(each.name);
+    if (!generator)
         return unusable(fmt::format("there is no generator '{}'; there are {}", options.generator,
-                                    fmt::join(known, ", ")));
-    }
+                                    terrains::generator_names()));
     const std::string ending = options.out.extension().string();
     if (ending != ".tif" && ending != ".tiff" && ending != ".asc")
         return unusable(fmt::format("--out {}: its name must end in .tif or .asc", options.out.string()));

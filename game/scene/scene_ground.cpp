@@ -4,12 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string_view>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "files/input.h"
 #include "terrains/dem_gdal.h"
@@ -28,9 +24,7 @@ using MaybeTerrain = tl::expected<Terrain, std::string>;
 MaybeTerrain generate(TomlTable& table, const std::string& name, const GridChoice& choice) {
     const terrains::Generator* generator = terrains::find_generator(name);
     if (!generator) {
-        std::vector<std::string_view> known;
-        for (const terrains::Generator& each : terrains::generators()) known.emplace_back(each.name);
-        table.blame("generator", fmt::format("is none of {}", fmt::join(known, ", ")));
+        table.blame("generator", "is none of " + terrains::generator_names());
         return tl::unexpected(std::string());
     }
     std::vector<double> values;

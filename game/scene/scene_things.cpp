@@ -16,6 +16,7 @@
 #include "game/scene/scene_trees.h"
 #include "game/scene/standing.h"
 #include "game/scene/structures.h"
+#include "sim/core/angle.h"
 #include "sim/world/disc.h"
 #include "sim/world/thing_places.h"
 

@@ -13,6 +13,7 @@
 #include "game/recording/chain.h"
 #include "game/recording/format.h"
 #include "game/scene/standing.h"
+#include "sim/core/angle.h"
 
 namespace game {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/core/angle.h"
 #include "sim/world/disc.h"
 #include "sim/world/state.h"
 #include "sim/world/things.h"

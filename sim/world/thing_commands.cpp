@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/core/angle.h"
 #include "sim/core/number_text.h"
 #include "sim/world/on_ground.h"
 #include "sim/world/quanta.h"

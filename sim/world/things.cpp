@@ -344,27 +344,4 @@ double moment_of(const Stems& stems) {
     return std::min(breaks, uproots);
 }
 
-// By Taylor series within an eighth of a turn: the C library's functions differ from machine to machine.
-Direction direction_of(double degrees) {
-    constexpr double kPi = 3.14159265358979323846;
-    const double quarters = std::rint(degrees / 90);
-    const double angle = (degrees - 90 * quarters) * (kPi / 180), squared = angle * angle;
-    double sine = 0, cosine = 0;
-    for (int k = 10; k >= 0; --k) {
-        sine = 1 - squared / ((2 * k + 2) * (2 * k + 3)) * sine;
-        cosine = 1 - squared / ((2 * k + 1) * (2 * k + 2)) * cosine;
-    }
-    sine *= angle;
-    switch (((static_cast<std::int64_t>(quarters) % 4) + 4) % 4) {
-        case 0:
-            return {sine, cosine};
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        default:
-            return {-cosine, sine};
-    }
-}
-
 }  // namespace sim

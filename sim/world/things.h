@@ -36,12 +36,6 @@ inline constexpr int kMostStems = 2000;  // per hectare
 // Where there are any: from dwarf pine to the tallest trees.
 inline constexpr int kLeastStemCm = 10, kMostStemCm = 60, kLeastTreeM = 1, kMostTreeM = 35;
 
-// The unit vector toward `degrees` clockwise from north; the same bits on every machine.
-struct Direction {
-    double x, y;
-};
-Direction direction_of(double degrees);
-
 enum class ThingKind : std::uint8_t {
     kHouse,
     kStation,  // of a lift, at either end

@@ -1,38 +1,17 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+
+#include "sim/core/angle.h"
 
 // Trigonometry, steps and noise from + − × ÷, square roots, floor and integers only: the same bits on every machine.
 namespace terrains::massif {
 
-// Sine and cosine by Taylor's series within 45° of a quarter turn; error below 1e-13. libm differs by machine.
-inline std::array<double, 2> sine_cosine(double degrees) {
-    const double quarter = std::floor(degrees / 90 + 0.5);
-    const double a = (degrees - 90 * quarter) * (3.14159265358979323846 / 180), a2 = a * a;
-    double sine = 1, cosine = 1;
-    for (int k = 14; k >= 2; k -= 2) {
-        sine = 1 - a2 / (k * (k + 1)) * sine;
-        cosine = 1 - a2 / (k * (k - 1)) * cosine;
-    }
-    sine *= a;
-    switch (static_cast<int>(quarter) & 3) {
-        case 0:
-            return {sine, cosine};
-        case 1:
-            return {cosine, -sine};
-        case 2:
-            return {-sine, -cosine};
-        default:
-            return {-cosine, sine};
-    }
-}
-
 inline double tangent(double degrees) {
-    const auto [sine, cosine] = sine_cosine(degrees);
-    return sine / cosine;
+    const sim::Direction direction = sim::direction_of(degrees);
+    return direction.x / direction.y;
 }
 
 // Smooth step: 0 at `from`, 1 at `to`.

@@ -13,9 +13,9 @@ Mountain::Mountain(const Massif& recipe, std::uint64_t seed)
       soft_(tangent(recipe.soft_slope)),
       hard_(std::max(soft_, tangent(recipe.hard_slope))),
       lift_(recipe.relief * kErosion / 5) {
-    const auto [sine, cosine] = sine_cosine(r_.bed_direction);
-    dip_x_ = tangent(r_.bed_dip) * sine;
-    dip_y_ = tangent(r_.bed_dip) * cosine;
+    const sim::Direction falls = sim::direction_of(r_.bed_direction);
+    dip_x_ = tangent(r_.bed_dip) * falls.x;
+    dip_y_ = tangent(r_.bed_dip) * falls.y;
 }
 
 Level Mountain::make(int squares) {

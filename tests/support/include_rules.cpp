@@ -77,7 +77,7 @@ std::vector<Room> make_rooms() {
          .rooms = {"terrains/", "files/", "sim/core/grid.h", "sim/core/check.h"},
          .libraries = {"gdal", "ogr_", "ogrsf_", "proj.h", "fcntl.h", "unistd.h", "sys/stat.h", "cpl_",
                        "OpenImageIO/", "GeographicLib/", "nlohmann/", "glm/", "fmt/", "tl/"}});
-    rooms.push_back({.name = "terrains/massif", .rooms = {"terrains/massif/"}});
+    rooms.push_back({.name = "terrains/massif", .rooms = {"terrains/massif/", "sim/core/angle.h"}});
     const Names below_render{"files/", "sim/", "assets/"};
     const Names gl{"glm/", "epoxy/", "EGL/", "fmt/", "tl/"};
     may = below_render;
