@@ -17,6 +17,7 @@
 #include "render/mountain/bare_ground.h"
 #include "render/mountain/ground_mesh.h"
 #include "render/mountain/sun_sweep.h"
+#include "render/passes/coarse_ground.h"
 #include "render/passes/drawn_extent.h"
 #include "render/passes/drawn_probability.h"
 #include "render/passes/fields_to_gpu.h"
@@ -54,6 +55,7 @@ struct Frame {
     const FrameInput& input;
     FieldsToGpu::Ground ground;  // what changed of it
     FrameBlock block = {};
+    FrameBlock coarse_block = {};  // of its ground, if that is coarse
     FrameKey key = {};
     bool new_world = false;
     bool everything = false;                                 // is drawn anew
@@ -65,11 +67,12 @@ struct Frame {
 struct Renderer::Parts {
     BareGround bare_ground;
     FieldsToGpu fields;
-    Buffer frame_block;
+    Buffer frame_block, coarse_block;
     SurfacePass surface;
     SunSweep sweep;
     ShadowPass shadow;
     TerrainPass terrain;
+    CoarseGround coarse_ground;
     SlideTiles tiles;
     FlowPass flow;
     FlowTriangles triangles;
@@ -97,6 +100,10 @@ struct Renderer::Parts {
     void compute(const Frame& frame);
     void find(Frame& frame);
     void draw(const Frame& frame);
+    void draw_ground(const Frame& frame, const Target& on, const Marks& marks, Target::Parts parts);
+    void draw_coarse_ground(const Frame& frame);
+
+    bool is_coarse() const { return quality == Quality::kMoving; }
 
     // The factor for the colours of a flow's texture. A rolling layer keeps its own mean colour.
     glm::vec3 flow_tint(const Look& look, const Marks& marks) const {
@@ -118,6 +125,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     auto parts = std::make_unique<Parts>();
     parts->surface = ready(SurfacePass::create(shaders));
     parts->terrain = ready(TerrainPass::create(shaders));
+    parts->coarse_ground = ready(CoarseGround::create(shaders));
     parts->flow = ready(FlowPass::create(shaders));
     parts->surroundings = ready(SurroundingsPass::create(shaders));
     parts->sky = fullscreen({"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
@@ -135,7 +143,9 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     parts->quality = quality;
     parts->assets = assets;
     parts->frame_block = make_buffer();
-    glNamedBufferStorage(parts->frame_block.name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    parts->coarse_block = make_buffer();
+    for (const Buffer* block : {&parts->frame_block, &parts->coarse_block})
+        glNamedBufferStorage(block->name(), sizeof(FrameBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     return Renderer(std::move(parts));
 }
 
@@ -206,7 +216,12 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
         make_frame_block(input, fields.heights(), samples,
                          input.flows() ? std::optional(flow_tint(input.look, input.marks)) : std::nullopt);
     frame.key = frame_key_of(input, frame.block);
+    frame.key.coarse = is_coarse();
     const bool resized = target.resize(input.width, input.height, samples);
+    if (is_coarse()) {
+        coarse_ground.resize(target);
+        frame.coarse_block = coarse_frame_block(frame.block, target.samples_across(), target.samples_up());
+    }
     const bool new_ground = frame.ground.terrain || frame.ground.first_depth;
     frame.new_world = new_ground || !redrawn.key || !same_surface(redrawn.key->block, frame.block);
     structures.build(input, frame.block, frame.ground.terrain, frame.ground.moved);
@@ -217,8 +232,8 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
             trees.follow(around ? input.woods : nullptr, around ? input.surroundings : nullptr, input.world,
                          input.first_depth, frame.block.sun, new_ground) == FollowedWoods::Change::kAll;
     }
-    frame.everything =
-        new_trees || frame.new_world || resized || input.marks.flow_mesh || redrawn.key != frame.key;
+    frame.everything = new_trees || frame.new_world || resized || is_coarse() || input.marks.flow_mesh ||
+                       redrawn.key != frame.key;
     return frame;
 }
 
@@ -306,8 +321,11 @@ void Renderer::Parts::find(Frame& frame) {
     const Redraw redraw{frame.block, changed, screen, frame.everything,
                         rules.things ? redrawn.scene_tiles : redrawn.ignored_tiles};
     terrain.find(redraw);
-    tiles.find(input, screen);
-    tiles.mark_changes(redrawn.scene_tiles);
+    const Rectangle coarse = coarse_ground.target().all();
+    const OnScreen ground_screen =
+        is_coarse() ? OnScreen(frame.coarse_block.clip_from_world, coarse.right, coarse.top) : screen;
+    tiles.find(input, ground_screen);
+    if (!frame.everything) tiles.mark_changes(redrawn.scene_tiles);
     if (input.surrounded()) surroundings.find(redraw);
     structures.find(input, redraw);
     frame.wooded = input.may_have_trees() && trees.any();
@@ -317,7 +335,7 @@ void Renderer::Parts::find(Frame& frame) {
                      spindrift.find(*input.surroundings, input.wind, input.seconds, frame.block, screen);
     redrawn.find(input.width, input.height, target.samples(), rules, frame.powdery ? powder.seen() : kNowhere,
                  frame.drifting ? spindrift.seen() : kNowhere);
-    if (input.flows() && !redrawn.scene.empty()) flow.find(triangles.runs(), changed, screen);
+    if (input.flows() && !redrawn.scene.empty()) flow.find(triangles.runs(), changed, ground_screen);
     clock.mark(Pass::kChanges);
 }
 
@@ -330,15 +348,11 @@ void Renderer::Parts::draw(const Frame& frame) {
     terrain.draw_depth(redrawn.scene);
     clock.mark(Pass::kDepth);
 
-    // The visible colours of the flow are drawn unlit, so that terrain and flow are lit together.
-    if (input.flows()) flow.draw(input.look.flow->pattern, marks.overlay, target, redrawn.scene);
-    clock.mark(Pass::kFlow);
-
-    // Each pixel is shaded once, whatever the number of triangles under it.
-    target.begin_shading();
     if (marks.extent != 0) extent.bind();
-    terrain.shade(marks, tiles, input.world.mixture != nullptr, target, redrawn.scene);
-    clock.mark(Pass::kTerrain);
+    if (is_coarse())
+        draw_coarse_ground(frame);
+    else
+        draw_ground(frame, target, marks, redrawn.scene);
     if (input.flows() && marks.flow_mesh) {
         flow.draw_mesh(target.samples());
         clock.mark(Pass::kFlow);
@@ -399,6 +413,34 @@ void Renderer::Parts::draw(const Frame& frame) {
     redrawn.key = frame.key;
     redrawn.ring = marks.ring;
     redrawn.outline = marks.outline;
+}
+
+void Renderer::Parts::draw_ground(const Frame& frame, const Target& on, const Marks& marks,
+                                  Target::Parts parts) {
+    const FrameInput& input = frame.input;
+    // The visible colours of the flow are drawn unlit, so that terrain and flow are lit together.
+    if (input.flows()) flow.draw(input.look.flow->pattern, marks.overlay, on, parts);
+    clock.mark(Pass::kFlow);
+
+    // Each pixel is shaded once, whatever the number of triangles under it.
+    on.begin_shading();
+    terrain.shade(marks, tiles, input.world.mixture != nullptr, on, parts);
+    clock.mark(Pass::kTerrain);
+}
+
+// Lines of marks are drawn as they are spread, as fine as the frame.
+void Renderer::Parts::draw_coarse_ground(const Frame& frame) {
+    const Marks& marks = frame.input.marks;
+    Marks overlay;
+    overlay.overlay = marks.overlay;
+    const Rectangle all = coarse_ground.target().all();
+    glNamedBufferSubData(coarse_block.name(), 0, sizeof frame.coarse_block, &frame.coarse_block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, coarse_block.name());
+    coarse_ground.begin(target);
+    draw_ground(frame, coarse_ground.target(), overlay, {&all, 1});
+    glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, frame_block.name());
+    coarse_ground.spread(target, marks.has_lines());
+    clock.mark(Pass::kTerrain);
 }
 
 Picture Renderer::read_back() const {

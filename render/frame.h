@@ -16,8 +16,9 @@
 namespace render {
 
 enum class Quality {
-    kFast,  // one sample per pixel
-    kFine,  // two by two, for exported images: takes three to four times as long without a GPU
+    kMoving,  // one sample per pixel, and light and detail of the ground for every second one along x and y
+    kFast,    // one sample per pixel
+    kFine,    // two by two, for exported images: takes three to four times as long without a GPU
 };
 
 // Draws a world. Needs a current GL 4.5 context, from headless EGL or a window, throughout its lifetime.

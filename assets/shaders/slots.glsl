@@ -38,6 +38,7 @@
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
 #define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: assets/textures/conifers.png
+#define SLOT_COARSE_DEPTH SLOT_SKY // D32F, while the ground of a moving frame is spread: depth of every second sample
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
 #define SLOT_UNITS 31     // number of texture units
 

@@ -1,7 +1,6 @@
 // Terrain: shades each surface pixel once, from its depth. Ground by slope and altitude, the standing layer
 // over it, the rolling layer over that, all lit once; marks on top.
-// The depth comes from scene_depth.glsl.
-layout(binding = SLOT_RELIEF) uniform sampler2D relief;
+// Depth and place come from scene_depth.glsl and surface_place.glsl.
 layout(binding = SLOT_LAYERS) uniform sampler2D layers;
 
 out vec4 colour;
@@ -44,16 +43,6 @@ vec3 marked(vec3 seen, Place p, vec3 light);
 // The visible share of the lower material, in the standing and rolling layers, in materials_two.glsl;
 // materials_one.glsl is for worlds of one material. `change` as in `layers`.
 vec2 lower_shares(Place p, Detail d, float change);
-
-// It comes from the sample alone, so that it is the same whatever part of a frame is drawn.
-Place find_place(float depth) {
-    vec2 ndc = 2.0 * gl_FragCoord.xy / vec2(textureSize(scene_depth, 0)) - 1.0;
-    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
-    float forward = frame.ray_forward.w / depth;
-    vec3 at = frame.eye.xyz + ray * forward;
-    vec4 r = texture(relief, (at.xy / frame.ground.x + 0.5) / vec2(frame.size.xy));
-    return place_at(at, ray, forward, r.yz, r.w);
-}
 
 void main() {
     Place p = find_place(scene_depth_at(ivec2(gl_FragCoord.xy)));

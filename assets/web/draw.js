@@ -99,7 +99,7 @@ class Picture {
         const key = marks.join();
         if (!this.shadings.has(key)) {
             const files = ['slots.glsl', 'frame.glsl', 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
-                           'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'terrain.frag', 'earth_none.glsl',
+                           'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag', 'earth_none.glsl',
                            this.slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl'];
             const kinds = [['slides_none.glsl', 'crown_none.glsl'], ['slides.glsl', 'crown_none.glsl'],
                            ['slides.glsl', 'crown.glsl']];

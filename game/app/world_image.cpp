@@ -117,9 +117,11 @@ ImageSize WorldImage::moving_size(const Moment& moment, bool camera_moved) {
                                .camera_moved = camera_moved,
                                .screen_pixels = static_cast<double>(size.width) * size.height},
                               {.target_ms = display.frame_ms,
-                               .least = std::min(tier.least_scale, display.most_scale),
+                               .least = std::min(least_scale(tier_, size), display.most_scale),
                                .most = display.most_scale});
-    return image_for(size, scale, tier.fine, bounds_);
+    ImageSize image = image_for(size, scale, tier.fine, bounds_);
+    image.moving = camera_moved;  // else little is drawn anew, and that in full
+    return image;
 }
 
 // The first frames show what this machine can draw in time.
@@ -202,7 +204,9 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image) {
     render::Look look = scenario.look;
     look.detail = display.detail;
     if (trial_) renderer_.forget();  // measured are images whose every pixel is new
-    renderer_.set_quality(image.fine ? render::Quality::kFine : render::Quality::kFast);
+    renderer_.set_quality(image.fine     ? render::Quality::kFine
+                          : image.moving ? render::Quality::kMoving
+                                         : render::Quality::kFast);
     renderer_.draw({.world = session.view(),
                     .camera = seen_.camera,
                     .light = display.light,

@@ -36,8 +36,10 @@ Outcome<Canvas> Canvas::open(const CanvasOptions& options) {
     if (!assets) return tl::unexpected(assets.error());
     auto context = render::HeadlessContext::create(options.gl);
     if (!context) return machine_fails(context.error());
-    auto renderer = render::Renderer::create(
-        *assets, options.samples == 1 ? render::Quality::kFast : render::Quality::kFine);
+    const render::Quality quality = options.samples > 1 ? render::Quality::kFine
+                                    : options.turns     ? render::Quality::kMoving
+                                                        : render::Quality::kFast;
+    auto renderer = render::Renderer::create(*assets, quality);
     if (!renderer) return machine_fails(renderer.error());
     renderer->time_stages(render::suitable_timing());
     return Canvas(std::make_unique<Parts>(Parts{std::move(*context), std::move(*renderer), options}));

@@ -149,6 +149,7 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
                                    .structures = &session.structures(),
                                    .wind = scenario.wind,
                                    .seconds = session.seconds()};
+    drawn.moving = timed(renderer, input, render::Quality::kMoving);
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);
     if (auto written = render::write_png(renderer.read_back(), options.folder / drawn.file); !written)

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "game/controls/screen.h"
+#include "game/controls/tier.h"
 
 namespace game {
 
@@ -10,6 +11,8 @@ namespace game {
 struct ImageSize {
     int width = 0, height = 0;  // pixels
     bool fine = false;          // two by two samples per pixel
+    bool moving =
+        false;  // the ground is shaded for every second sample along x and y, render::Quality::kMoving
     bool operator==(const ImageSize&) const = default;
 };
 
@@ -21,6 +24,10 @@ struct ImageBounds {
 
 // Memory of the buffers of an image, bytes.
 std::uint64_t bytes_of(const ImageSize& image);
+
+// The least scale of moving images for a screen: that of the tier, but 640 × 360 pixels at least if the screen has as many,
+// however slow the machine is. 0 to 1.
+double least_scale(Tier tier, const ScreenSize& screen);
 
 // The image for a screen at `scale`, drawn pixels per screen pixel along each axis. Within the bounds: if
 // there is no room for two by two samples per pixel it has one, and then fewer pixels. At least 1 × 1.

@@ -19,7 +19,7 @@ struct DrawnView {
     std::string state_hash;
     render::Camera camera;
     render::Light light;
-    render::DrawTimes fast, fine;  // of one frame by quality
+    render::DrawTimes moving, fast, fine;  // of one frame by quality
 };
 
 // A page that needs only the images beside it. `note`: a sentence about all views; empty: none. `reload_s`: see

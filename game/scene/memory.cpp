@@ -32,7 +32,10 @@ std::uint64_t frame_bytes(const FrameUse& frames) {
     constexpr std::uint64_t kSmoothing = kScreen + 1;  // the image with stairs, and a stencil of edges
     // Powder (render/passes/powder_pass.h): reach, thickness, mixture, light and what hides it, at half the resolution.
     const std::uint64_t powder = samples * (4 + 2 * kLinear + 18) / 4;
-    return (samples * kPerSample + colours + powder + kScreen + kSmoothing + kImages * kImage) *
+    // The coarse ground of a moving frame (render/passes/coarse_ground.h), which has one sample per pixel: a target of a
+    // quarter as many.
+    const std::uint64_t coarse = (2 * kDepth + 2 * kLinear + kScreen + kSmoothing) / 4;
+    return (samples * kPerSample + colours + coarse + powder + kScreen + kSmoothing + kImages * kImage) *
            static_cast<std::uint64_t>(frames.width) * static_cast<std::uint64_t>(frames.height);
 }
 

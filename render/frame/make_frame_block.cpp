@@ -149,4 +149,23 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     return block;
 }
 
+// The middles of coarse samples are those of the first of each two by two samples of the frame, not between them.
+FrameBlock coarse_frame_block(const FrameBlock& frame, int samples_across, int samples_up) {
+    const glm::dvec2 samples(samples_across, samples_up),
+        coarse((samples_across + 1) / 2, (samples_up + 1) / 2);
+    const glm::dvec2 scale = 2.0 * coarse / samples, shift = (2.0 * coarse - 1.0) / samples - 1.0;
+    FrameBlock block = frame;
+    block.ray_forward +=
+        glm::vec4(glm::dvec4(shift.x * glm::dvec3(frame.ray_right) + shift.y * glm::dvec3(frame.ray_up), 0));
+    block.ray_right = glm::vec4(scale.x * glm::dvec4(frame.ray_right));
+    block.ray_up = glm::vec4(scale.y * glm::dvec4(frame.ray_up));
+    glm::dmat4 place(1);
+    place[0][0] = 1 / scale.x, place[1][1] = 1 / scale.y;
+    place[3][0] = -shift.x / scale.x, place[3][1] = -shift.y / scale.y;
+    block.clip_from_world = glm::mat4(place * glm::dmat4(frame.clip_from_world));
+    block.material.y *= 1.3f;
+    block.contours.x = block.contours.z = block.ring.w = block.outline_colour.w = 0;
+    return block;
+}
+
 }  // namespace render

@@ -15,4 +15,8 @@ namespace render {
 FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int samples,
                             const std::optional<glm::vec3>& flow_tint);
 
+// The block by which the ground is shaded for every second sample along x and y of a frame of this size, without marks
+// that have lines: passes/coarse_ground.h.
+FrameBlock coarse_frame_block(const FrameBlock& frame, int samples_across, int samples_up);
+
 }  // namespace render

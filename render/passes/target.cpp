@@ -30,7 +30,7 @@ bool Target::resize(int width, int height, int samples) {
     const int across = samples_across(), up = samples_up();
     depth_ = make_texture(GL_DEPTH_COMPONENT32F, across, up, GL_NEAREST);
     ground_depth_ = make_texture(GL_DEPTH_COMPONENT32F, across, up, GL_NEAREST);
-    scene_colour_ = make_texture(GL_RGBA16F, across, up, samples > 1 ? GL_LINEAR : GL_NEAREST);
+    scene_colour_ = make_texture(GL_RGBA16F, across, up, GL_LINEAR);
     air_colour_ = Texture();  // until there is anything in the air
     averaged_colour_ = samples > 1 ? make_texture(GL_RGBA16F, width, height, GL_NEAREST) : Texture();
     sky_colour_ = make_texture(GL_RGBA16F, quarter(across), quarter(up), GL_LINEAR);
@@ -64,8 +64,14 @@ void Target::lend_depth(GLuint framebuffer) const {
 
 void Target::begin_shading() const {
     glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
+    glViewport(0, 0, samples_across(), samples_up());
     glTextureBarrier();
     glBindTextureUnit(SLOT_SCENE_DEPTH, depth_.name());
+}
+
+void Target::bind_scene(GLuint colour, GLuint depth) const {
+    glBindTextureUnit(colour, scene_colour_.name());
+    glBindTextureUnit(depth, depth_.name());
 }
 
 void Target::keep_ground(Parts parts) const {

@@ -32,6 +32,8 @@ class Target {
     // Attaches the depth drawn so far to another framebuffer; its size in samples comes with it.
     void lend_depth(GLuint framebuffer) const;
     void begin_shading() const;  // binds depth at SLOT_SCENE_DEPTH for reading; do not write it
+    // Binds colour and depth of the scene for reading by another target.
+    void bind_scene(GLuint colour, GLuint depth) const;
     // Keeps the depth drawn so far as that of the ground, and binds it at SLOT_SCENE_DEPTH.
     void keep_ground(Parts parts) const;
     void begin_sky() const;  // draw the sky at a quarter of the resolution; there is no depth

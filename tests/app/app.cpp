@@ -313,6 +313,22 @@ TEST_F(Playing, finishes_an_image_that_stands_still_until_something_moves_in_eve
     }
 }
 
+TEST_F(Playing, shades_less_of_the_ground_while_the_camera_moves_and_no_longer) {
+    tier_ = Tier::kFast;
+    begin();
+    frames(40);
+    screen_.press(Button::kRight);
+    frames(1);
+    for (int i = 1; i < 5; ++i) {
+        screen_.move(300 + 5 * i, 250);
+        frames(1);
+        EXPECT_TRUE(app_->image().size().moving) << i;
+    }
+    screen_.release(Button::kRight);
+    frames(120);  // it glides to rest
+    EXPECT_EQ(app_->image().size(), (ImageSize{640, 360, true}));
+}
+
 TEST_F(Playing, does_not_finish_an_image_while_a_slide_goes_on) {
     begin();
     stroke(20);
@@ -327,7 +343,7 @@ TEST_F(Playing, does_not_finish_an_image_while_a_slide_goes_on) {
 TEST_F(Playing, measures_in_its_first_frames_which_tier_suits_the_machine) {
     tier_.reset();
     begin();
-    EXPECT_EQ(app_->image().size(), (ImageSize{320, 180, false})) << "the first frames are small";
+    EXPECT_EQ(app_->image().size(), (ImageSize{320, 180, false})) << "its first images are small";
     frames(8);
     EXPECT_EQ(app_->display().tier, Tier::kFull);
     EXPECT_NE(last_notice().find("Quality: full"), std::string::npos) << last_notice();

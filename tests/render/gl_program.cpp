@@ -41,8 +41,8 @@ TEST_F(Shaders, are_whole_when_copied) {
 }
 
 TEST_F(Shaders, that_do_not_compile_are_reported_with_file_and_line) {
-    insert_after("terrain.frag", 9, "float broken = undeclared_thing;");
-    EXPECT_NE(error().find("shaders/terrain.frag:10: "), std::string::npos) << error();
+    insert_after("terrain.frag", 6, "float broken = undeclared_thing;");
+    EXPECT_NE(error().find("shaders/terrain.frag:7: "), std::string::npos) << error();
     EXPECT_NE(error().find("undeclared_thing"), std::string::npos) << error();
 }
 

@@ -68,6 +68,26 @@ TEST_F(Gl, changes_its_quality_between_frames) {
     EXPECT_TRUE(alike(draw(world, camera, Light(), Look(), 160, 90), fast));
 }
 
+// Its ground is shaded for every second sample along x and y: smooth ground looks the same, and edges and marks are as fine.
+TEST_F(Gl, draws_a_moving_frame_like_one_that_stands_still_on_smooth_ground) {
+    const World world = covered_hill();
+    const Camera camera = overview(world.view());
+    Marks marks;
+    marks.ring = Ring{{120, 120}, 30, {1, 0, 0}};
+    for (const auto& [width, height] : {std::pair{160, 90}, {161, 91}, {1, 1}, {2, 77}}) {
+        for (const Marks& drawn : {Marks(), marks}) {
+            renderer_->set_quality(Quality::kFast);
+            const Picture still = draw(world, camera, Light(), plain_look(), width, height, drawn);
+            renderer_->set_quality(Quality::kMoving);
+            const Picture moving = draw(world, camera, Light(), plain_look(), width, height, drawn);
+            EXPECT_LE(differing(still, moving), width * height / 100 + 2) << width << " by " << height;
+            EXPECT_TRUE(alike(draw(world, camera, Light(), plain_look(), width, height, drawn), moving));
+            renderer_->set_quality(Quality::kFast);
+            EXPECT_TRUE(alike(draw(world, camera, Light(), plain_look(), width, height, drawn), still));
+        }
+    }
+}
+
 TEST_F(Gl, names_the_renderer_of_any_current_context) {
     const std::string name = renderer_name();
     EXPECT_EQ(name, context().renderer_name());
