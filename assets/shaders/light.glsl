@@ -6,6 +6,8 @@
 vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     // The sky is brighter on one side and has the colours of its horizon, which gives shape to slopes in the shade.
     float sunward = dot(normal.xy, vec2(frame.toward.w, frame.away.w)), glowing = 0.75 * max(frame.zenith.w, 0.0);
+    // What faces away from the glow keeps some of it, or snow in the shade would be cyan.
+    glowing *= sunward > 0.0 ? 1.0 : 0.3;
     vec3 sky = frame.above.rgb * (1.0 + frame.zenith.w * sunward) +
                (glowing * sunward) * (frame.toward.rgb - frame.away.rgb);
     // Under a high sun even slopes look flat. They are drawn with more contrast then, as a photographer prints them,

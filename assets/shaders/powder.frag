@@ -7,6 +7,7 @@ in vec2 place;
 flat in vec4 shown;
 flat in vec4 turned;
 flat in vec3 to_sun;
+flat in vec3 to_glow;
 flat in vec4 looks;
 flat in float distance_m;
 layout(location = 0) out vec4 thick;
@@ -29,7 +30,7 @@ void main() {
     // Looking toward the sun, light comes through the thin rim of a puff.
     float through = max(-to_sun.z, 0.0);
     sun += shown.y * through * through * (0.25 + 0.65 * r2);
-    float sky = shown.z * (0.55 + 0.45 * normal.y) * crevice;
+    float sky = shown.z * (0.48 + 0.52 * normal.y) * crevice * max(1.0 + 0.9 * dot(normal, to_glow), 0.3);
     thick = vec4(sun, sky, distance_m, 1.0) * opacity;
     lower = vec4(looks.w, 0.0, 0.0, 1.0) * opacity;
 }

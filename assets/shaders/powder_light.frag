@@ -27,14 +27,16 @@ void main() {
 
     // Light passes from grain to grain, so that even the depth of the cloud is bright. What comes from the snow all around
     // takes colour from a low sun: without that, thin powder before a dark wood looks like smoke.
-    vec3 lamp = mix(frame.lamp.rgb, vec3(dot(frame.lamp.rgb, vec3(0.21, 0.72, 0.07))), 0.3);
+    vec3 lamp = mix(frame.lamp.rgb, vec3(dot(frame.lamp.rgb, vec3(0.21, 0.72, 0.07))), 0.5);
     vec3 sky = mix(frame.below.rgb, frame.above.rgb, 0.80 + 0.20 * light.y);
     vec3 grains = mix(powder.colour.rgb, powder.lower_colour.rgb, powder.lower_colour.w * texelFetch(lower, pixel, 0).r / whole);
-    vec3 lit = grains * (lamp * (1.25 * light.x) + sky * (0.75 + 0.65 * light.y));
+    vec3 lit = grains * (lamp * (1.25 * light.x) + sky * (0.45 + 1.05 * light.y));
     // Grains pass most light on forward: toward the sun a cloud glows where it is thin, at its edges.
     float toward = max(dot(normalize(at - frame.eye.xyz), frame.sun.xyz), 0.0), toward_4 = toward * toward * toward * toward;
     float thin = 1.15 - cloud.a;
-    lit += grains * lamp * ((0.5 * toward_4 + 1.5 * toward_4 * toward_4 * toward_4) * light.x * thin);
+    lit += grains * lamp * ((0.9 * toward_4 + 3.0 * toward_4 * toward_4 * toward_4) * light.x * thin);
+    // And what many grains have passed on is white: a cloud against the sun is never brown.
+    lit += grains * (0.14 * (1.0 + toward) * dot(lamp, vec3(0.333)));
     lit = through_air(lit, at);
 
     vec3 ground = place_at(ndc, reach);

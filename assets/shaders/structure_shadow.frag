@@ -1,5 +1,5 @@
-// The shadow of a structure: what it leaves of the light, as a factor.
-flat in vec3 left;
+// The shadow of a structure, or light from its windows: what is left of the light on the ground, as a factor.
+in vec3 left;
 out vec4 colour;
 
 void main() { colour = vec4(left, 1.0); }

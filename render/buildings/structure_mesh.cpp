@@ -411,6 +411,32 @@ void add_shadows(const BuildingSite& site, const vec3& sun, bool detailed,
     add_shadow(site, corners, sun, !house ? kAsItIs : detailed ? kPiece : kSimplePiece, shadows);
 }
 
+// Light from the windows of a house on the ground around it, in rings that fade outward. It shows when lamps are lit.
+void add_window_light(const BuildingSite& site, std::vector<StructureShadowVertex>& shadows) {
+    if (site.structure().kind != StructureKind::kHouse || site.state() != StructureState::kIntact) return;
+    struct Ring {
+        float beyond, strength;  // m from the walls
+    };
+    constexpr std::array<Ring, 4> kRings{{{0, 0.9f}, {2, 0.55f}, {5.5f, 0.16f}, {11, 0}}};
+    constexpr int kAround = 12;
+    const glm::vec2 half(half_footprint(site.structure()).y, half_footprint(site.structure()).x);
+    const glm::vec4 foot(site.pose().origin, 1);
+    const auto corner = [&](const Ring& ring, int i) {
+        const float angle = glm::radians(360.f) * static_cast<float>(i) / kAround;
+        const glm::vec2 toward(std::cos(angle), std::sin(angle));
+        // From the wall in this direction.
+        const glm::vec2 wall = glm::clamp(1.5f * glm::max(half.x, half.y) * toward, -half, half);
+        const vec3 at = site.pose().at({wall + ring.beyond * toward, 0});
+        return StructureShadowVertex{{at.x, at.y, site.surface().height(glm::vec2(at)), ring.strength}, foot};
+    };
+    for (std::size_t k = 0; k + 1 < kRings.size(); ++k)
+        for (int i = 0; i < kAround; ++i) {
+            const StructureShadowVertex a = corner(kRings[k], i), b = corner(kRings[k], i + 1),
+                                        c = corner(kRings[k + 1], i), d = corner(kRings[k + 1], i + 1);
+            for (const StructureShadowVertex& each : {a, c, d, a, d, b}) shadows.push_back(each);
+        }
+}
+
 }  // namespace
 
 glm::vec2 snowy(const Look& look) {
@@ -439,6 +465,7 @@ StructureMesh structure_mesh(const Structures& structures, const BuildingGround&
                 break;
         }
         add_shadows(site, sun, are_detailed(structures), mesh.shadows);
+        if (are_detailed(structures)) add_window_light(site, mesh.shadows);
     }
     for (const Lift& lift : structures.lifts) add_lift(structures, lift, surface, mesh);
     for (std::size_t i = 0; i < structures.nets.size(); ++i)

@@ -30,10 +30,10 @@ struct RopeVertex {
     glm::vec4 along;  // unit vector; half its width, m
 };
 
-// A corner of a shadow on the ground. Vertex attributes of structure_shadow.vert.
+// A corner of a shadow on the ground, or of light from windows. Vertex attributes of structure_shadow.vert.
 struct StructureShadowVertex {
     glm::vec4 at;    // m; strength, 0 to 1
-    glm::vec4 foot;  // m, of what casts it; 0
+    glm::vec4 foot;  // m, of what casts it; 0: a shadow, 1: light
 };
 
 // Faces of a structure, or of a piece of a road or a lift, that are drawn together or not at all.

@@ -80,5 +80,18 @@ TEST_F(DrawnStructures, have_lamps_behind_their_windows_in_the_evening) {
     EXPECT_GT(warmest(drawn(&structures_, {240, -6})), 90);
 }
 
+TEST_F(DrawnStructures, light_the_ground_before_their_windows_in_the_evening) {
+    structures_.roads.clear();
+    const auto redder = [&](const Light& light) {
+        const Picture with = drawn(&structures_, light), without = drawn(nullptr, light);
+        int count = 0;
+        for (std::size_t i = 0; i < with.pixels.size(); i += 3)
+            count += with.pixels[i] > without.pixels[i] + 8 && with.pixels[i + 1] > without.pixels[i + 1];
+        return count;
+    };
+    EXPECT_LT(redder({240, 40}), 100);
+    EXPECT_GT(redder({240, -6}), 400);
+}
+
 }  // namespace
 }  // namespace render::test

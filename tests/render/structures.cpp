@@ -113,6 +113,29 @@ TEST_F(MeshOfStructures, casts_its_shadow_away_from_the_sun) {
     EXPECT_GT(farthest, kWidth / 2 + 3) << "the sun is in the east";
 }
 
+TEST_F(MeshOfStructures, lights_the_ground_around_a_house_that_stands_less_with_distance) {
+    const auto lights = [&](StructureState state) {
+        std::vector<std::pair<float, float>> found;  // distance from the middle, strength
+        for (const StructureShadowVertex& vertex : mesh(cabin(state)).shadows)
+            if (vertex.foot.w > 0)
+                found.emplace_back(glm::distance(glm::vec2(vertex.at), {100, 100}), vertex.at.w);
+        return found;
+    };
+    const auto intact = lights(StructureState::kIntact);
+    ASSERT_FALSE(intact.empty());
+    for (const auto& [distance, strength] : intact) {
+        if (distance < 7) {
+            EXPECT_GT(strength, 0.5);
+        }
+        if (distance > 15) {
+            EXPECT_EQ(strength, 0);
+        }
+        EXPECT_LT(distance, 20);
+    }
+    EXPECT_TRUE(lights(StructureState::kDamaged).empty());
+    EXPECT_TRUE(lights(StructureState::kDestroyed).empty());
+}
+
 TEST_F(MeshOfStructures, is_joined_by_roads_that_follow_the_ground_and_by_ropes_between_heads) {
     Structures structures;
     structures.roads.push_back({{{10, 50}, {100, 60}, {190, 20}}, 6});
