@@ -33,7 +33,10 @@ void main() {
         case BUILT_STEEL: albedo = vec3(0.16, 0.17, 0.18); break;
         case BUILT_ROAD:
             // Wheels have worn packed snow down to the gravel.
-            albedo = mix(vec3(0.110, 0.104, 0.096) * (0.6 + 0.7 * rock.z), 0.55 * frame.standing.rgb, numbers.y * smoothstep(0.42, 0.75, soft.z + 0.35 * (rock.z - 0.5)));
+            {
+                float trodden = 0.5 * soft.z + 0.5 * texture(detail_texture, vec3(ground / 5.3, DETAIL_SOFT)).z + 0.35 * (rock.z - 0.5);
+                albedo = mix(vec3(0.190, 0.180, 0.168) * (0.6 + 0.7 * rock.z), 0.50 * frame.standing.rgb, numbers.y * smoothstep(0.30, 0.72, trodden));
+            }
             break;
         case BUILT_BANK: albedo *= 0.82 + 0.22 * rock.z; break;
         case BUILT_PLASTER:

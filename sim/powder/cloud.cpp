@@ -30,7 +30,7 @@ constexpr float kWindAge =
 constexpr float kSettling = 0.6f;  // m/s
 constexpr float kFadeIn = 0.3f;    // s
 constexpr float kSkirt = 0.3f;     // of the births at a front: low fine dust, thrown to the sides
-constexpr float kBlastSpeed = 9;   // m/s
+constexpr float kBlastSpeed = 9, kFountainSpeed = 34, kRingSpeed = 17;  // m/s, of what a blast throws up
 
 float smoothstep(float from, float to, float value) {
     const float t = std::clamp((value - from) / (to - from), 0.f, 1.f);
@@ -254,7 +254,7 @@ void Cloud::give_birth_in(const View& world, float dt_s, int y, int first, int l
 }
 
 void Cloud::blast(const View& world, glm::vec2 at, float radius) {
-    constexpr int kPuffs = 48;
+    constexpr int kPuffs = 96;
     const float reach = std::clamp(radius, world.grid.dx, 40.f);
     const Place middle = place_of(world.grid, at.x, at.y);
     if (middle.outside) return;
@@ -262,18 +262,33 @@ void Cloud::blast(const View& world, glm::vec2 at, float radius) {
     const Rule rule = rule_of(world, middle.x, middle.y);
     const float density = rule.strength * smoothstep(kThinnest, kThick, lies);
     if (density <= 0) return;
+    // A fountain in the middle, and a low ring that runs out over the snow.
     Random random(world.tick, static_cast<int>(at.x), static_cast<int>(at.y));
+    const glm::vec2 rise = slope(world, middle.x, middle.y);
     for (int i = 0; i < kPuffs && puffs_.size() < kMost; ++i) {
+        const bool fountain = i % 2 == 0;
         glm::vec2 out{random.between(-1, 1), random.between(-1, 1)};  // in this order
-        if (glm::dot(out, out) > 1) out *= 0.7f;
+        const float from_middle = std::max(std::sqrt(glm::dot(out, out)), 0.05f);
+        if (!fountain || from_middle > 1) out /= from_middle;
+        out *= fountain ? 0.25f : 0.8f;
         Puff puff;
-        puff.first_radius = reach * random.between(0.15f, 0.3f);
-        puff.at.x = at.x + 0.6f * reach * out.x;
-        puff.at.y = at.y + 0.6f * reach * out.y;
+        puff.at.x = at.x + reach * out.x;
+        puff.at.y = at.y + reach * out.y;
+        if (fountain) {
+            // What is thrown highest is the least.
+            const float high = random.share();
+            puff.first_radius = reach * random.between(0.10f, 0.22f) * (1.3f - 0.6f * high);
+            puff.velocity = glm::vec3(kBlastSpeed * out, kFountainSpeed * (0.15f + high));
+            puff.life_s = random.between(4, 8);
+            puff.density = density * random.between(0.7f, 1);
+        } else {
+            const glm::vec2 away = kRingSpeed * random.between(0.7f, 1.2f) * out;
+            puff.first_radius = reach * random.between(0.06f, 0.12f);
+            puff.velocity = glm::vec3(away, glm::dot(away, rise) + random.between(0.5f, 2));
+            puff.life_s = random.between(2, 4);
+            puff.density = density * random.between(0.4f, 0.7f);
+        }
         puff.at.z = surface(world, place_of(world.grid, puff.at.x, puff.at.y)) + 0.3f * puff.first_radius;
-        puff.velocity = kBlastSpeed * glm::vec3(0.8f * out, random.between(0.2f, 1.4f));
-        puff.life_s = random.between(3, 6);
-        puff.density = density * random.between(0.5f, 0.9f);
         puff.seed = random.bits();
         puffs_.push_back(puff);
     }
