@@ -20,8 +20,14 @@ Skin worn(Skin carried, vec3 albedo, Detail d) {
 }
 
 // The same for a deposit: nearly the colour of the standing layer, as crushed material is darker.
-Skin at_rest(Skin carried, vec3 rolls, vec3 lies) {
+// It lies in mounds and hollows that are larger than its blocks, and what it tore off lies between these.
+Skin at_rest(Skin carried, vec3 rolls, vec3 lies, Detail d) {
     carried.albedo *= mix(lies, rolls, 0.35) / max(rolls, 1e-3);
+    float rough = frame.material.x * frame.haze.w, mound = 0.6 * d.clumps.z + 0.4 * d.soft.z;
+    carried.rise = carried.rise * (0.70 + 0.60 * mound) + rough * (0.55 * d.clumps.xy + 0.50 * d.soft.xy);
+    carried.open *= mix(1.0, 0.75 + 0.45 * mound, rough);
+    float dirt = smoothstep(0.45, 0.20, mound) * smoothstep(0.62, 0.30, d.rock.z) * smoothstep(0.95, 0.75, carried.open);
+    carried.albedo *= mix(vec3(1.0), vec3(0.72, 0.66, 0.60), 0.55 * dirt * rough);
     return carried;
 }
 
@@ -59,7 +65,7 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
             rolls = albedo.a;
         else if (frame.overlay.x != OVERLAY_STRETCH) {
             carried = worn(carried, slide.rolls, d);
-            skin = blend(skin, at_rest(carried, slide.rolls, slide.lies), covered * smoothstep(0.1, 0.5, rise.w));
+            skin = blend(skin, at_rest(carried, slide.rolls, slide.lies, d), covered * smoothstep(0.1, 0.5, rise.w));
         }
         debris = blend(debris, carried, albedo.a);
     }

@@ -21,8 +21,9 @@ static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 static_assert(OVERLAY_PRESSURE == static_cast<int>(Overlay::kPressure));
 static_assert(OVERLAY_PROBABILITY == static_cast<int>(Overlay::kProbability));
 
-constexpr double kWidestDetail = 600;  // m, least width of a tile of the broadest detail
-constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
+constexpr double kWidestDetail = 600;    // m, least width of a tile of the broadest detail
+constexpr double kWidestFlowTile = 130;  // m; the largest blocks on it are some 7 m
+constexpr double kHazeLength = 24000;    // m, in which clear mountain air keeps 1/e of green light
 constexpr double kWideView =
     3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
@@ -137,7 +138,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);
     if (flow_tint) {
-        block.flow = glm::dvec4(look.flow->repeats / side,
+        block.flow = glm::dvec4(std::max(look.flow->repeats / side, 1 / kWidestFlowTile),
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
         block.flow_tint = glm::vec4(*flow_tint, 0);
     }

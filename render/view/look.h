@@ -18,7 +18,8 @@ struct Light {
 // The look of material that advects a texture.
 struct FlowLook {
     FlowPattern pattern = FlowPattern::kSnow;
-    double repeats = 9;       // tiles along the longer side of the terrain, > 0
+    double repeats =
+        9;  // tiles along the longer side of the terrain, > 0; more, if they were wider than 130 m
     bool everywhere = false;  // texture all ground as flow; else only the rolling layer, in its colour
     bool operator==(const FlowLook&) const = default;
 };
