@@ -93,7 +93,9 @@ class TreesInView {
             Math.abs(dot(away, ray)) / half > deep * half + radius * Math.sqrt(1 + half * half);
         if (deep < -radius || isBeside(right, Math.hypot(...right)) || isBeside(up, highRay)) return null;
 
-        const together = group / share, isGroup = together > kGroup, tops = isGroup ? Math.round(together) : 1;
+        // Near the eye it is one tree, even if it stands for more.
+        const together = Math.min(group / share, Math.max(wide * distance * pixel / kMeanWidth, 1));
+        const isGroup = together > kGroup, tops = isGroup ? Math.round(together) : 1;
         const taller = Math.pow(Math.min(together, kGroup), kTaller), height = this.height[i] * kept * taller;
         const slim = this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth;
         const broad = slim * this.height[i] * kept * together / taller * (1 + kWiderInStand * this.closed[i]);

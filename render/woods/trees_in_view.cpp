@@ -19,7 +19,6 @@ constexpr float kWiderInStand = 0.2f;  // by this share, so that a stand is clos
 // anyhow.
 constexpr float kWideOfHeight = 0.0145f, kLeastWide = 5.5f, kMostWide = 10.5f;  // pixels
 constexpr float kMeanWidth = 5;                                                 // m
-constexpr float kMostTogether = 20;                                             // trees that one stands for
 // One that stands for few is a larger tree, one that stands for more a group of them side by side, which is
 // not as wide because it has no flanks to its foot.
 constexpr float kGroup = 8, kWidthOfGroup = 0.75f;
@@ -149,7 +148,11 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
     const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
     const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
     const auto share_at = [&](float distance, float group) {
-        return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / kMostTogether, 1.f);
+        return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / Woods::kMostTogether,
+                          1.f);
+    };
+    const auto together_at = [&](float distance) {
+        return std::max(wide_pixels * distance * pixel / kMeanWidth, 1.f);
     };
     for (const TreeTile& tile : of.tiles) {
         // With branches and shadows beside it.
@@ -170,7 +173,9 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
             if (kept <= 0) continue;
             if (is_beside(tree.foot - eye, frame, kLongestShadow + tree.height)) continue;
 
-            const float together = tree.group / share, taller = std::pow(std::min(together, kGroup), kTaller);
+            // Near the eye it is one tree, even if it stands for more.
+            const float together = std::min(tree.group / share, together_at(distance)),
+                        taller = std::pow(std::min(together, kGroup), kTaller);
             const float height = tree.height * kept * taller, high = height / (distance * pixel);
             const bool group = together > kGroup;
             const float wide = (tree.kind == TreeKind::kPine ? kCushionRadius : kConiferRadius) *

@@ -270,7 +270,13 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     asked_ = static_cast<double>(count) * squeezed * squeezed;
     keep_first();
     std::ranges::sort(grown, earlier);
-    for (const Grown& each : grown) trees_.push_back(each.tree);
+    // Those that are left out stand with those that are kept, as far as they are drawn together.
+    const float together =
+        grown.empty() ? 1.f : static_cast<float>(std::max(asked_ / static_cast<double>(grown.size()), 1.0));
+    for (const Grown& each : grown) {
+        trees_.push_back(each.tree);
+        trees_.back().group = std::min(trees_.back().group * together, kMostTogether);
+    }
     sort_into_tiles(around.side() / kTilesAlongSide);
     put_on_mesh(around);
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);

@@ -80,6 +80,7 @@ struct TreeTile {
 class Woods {
   public:
     static constexpr std::size_t kMost = 80'000;  // trees; of more, an even share is kept
+    static constexpr float kMostTogether = 20;    // trees that one stands for
     static constexpr float kLargestGroup = 16;    // trees that one far from the grid stands for
 
     // None.

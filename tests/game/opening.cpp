@@ -89,6 +89,9 @@ TEST(LoadedWorld, makes_a_playable_hill_of_real_terrain) {
     ASSERT_TRUE(hill) << hill.error().sentence;
     EXPECT_TRUE(hill->scene.scenario.georeference.placed());
     EXPECT_NE(hill->told.find("alr_utm32n.tif"), std::string::npos) << hill->told;
+    EXPECT_GT(hill->scene.scenario.trees.density, 0);
+    EXPECT_NEAR(hill->scene.scenario.trees.line_m, 2000, 50) << "it is in the Alps";
+    EXPECT_FALSE(hill->scene.scenario.woods_act()) << "the file says nothing of a forest";
 }
 
 }  // namespace

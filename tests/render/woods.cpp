@@ -109,6 +109,24 @@ TEST_F(WoodInValley, is_denser_where_more_is_asked_for_and_never_too_large) {
     EXPECT_TRUE(Woods({}, kRules, 0).empty()) << "a model has no trees";
 }
 
+TEST_F(WoodInValley, has_those_that_are_left_out_stand_with_those_that_are_kept) {
+    TreeRules rules = kRules;
+    rules.density = 100;
+    Woods many = woods(rules);
+    for (; many.asked() <= static_cast<double>(many.trees().size()); many = woods(rules))
+        rules.density *= 1.5;
+    const double together = many.asked() / static_cast<double>(many.trees().size());
+    ASSERT_GT(together, 1);
+    ASSERT_LT(together, 2);
+    for (const Tree& tree : many.trees()) {
+        EXPECT_GE(tree.group, together - 1e-4);
+        EXPECT_LE(tree.group, Woods::kMostTogether);
+    }
+    rules.density = TreeRules::kDensest;
+    many = woods(rules);
+    for (const Tree& tree : many.trees()) EXPECT_LE(tree.group, Woods::kMostTogether);
+}
+
 TEST_F(WoodInValley, grows_only_within_its_polygon) {
     TreeRules rules = kRules;
     rules.polygon = {{200, 220}, {800, 220}, {800, 490}, {500, 340}, {200, 490}};
