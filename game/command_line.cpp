@@ -724,9 +724,10 @@ void add_bench(CLI::App& app, BenchOptions& options) {
         "draw with so many samples along the edge of a pixel: 1 as in the tiers fast and balanced, 2 as in "
         "full",
         "1");
-    app.add_flag("--turn", options.canvas.turns,
-                 "turn the camera a little from frame to frame, so that all of each is new; else only what "
-                 "changed is drawn");
+    app.add_flag(
+        "--turn", options.canvas.turns,
+        "turn the camera a little from frame to frame, so that all of each is new, and with one sample is "
+        "drawn as the window draws a moving camera; else only what changed is drawn");
     add_gl(app, options.canvas.gl);
     app.add_flag_callback(
         "--no-render", [&options] { options.draws = false; }, "disable rendering");

@@ -25,7 +25,8 @@ Table times_table(const DrawnView& view) {
     Table table{"Milliseconds per pass", {"quality"}, {}};
     table.head.insert(table.head.end(), render::kPassNames.begin(), render::kPassNames.end());
     table.head.emplace_back("sum");
-    for (const auto& [quality, times] : {std::pair("moving", view.moving), std::pair("fast", view.fast), std::pair("fine", view.fine)}) {
+    for (const auto& [quality, times] :
+         {std::pair("moving", view.moving), std::pair("fast", view.fast), std::pair("fine", view.fine)}) {
         std::vector<std::string> row{quality};
         for (const double ms : times.ms) row.push_back(ms_text(ms));
         row.push_back(ms_text(times.sum()));
