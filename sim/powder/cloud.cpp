@@ -279,7 +279,7 @@ void Cloud::blast(const View& world, glm::vec2 at, float radius) {
             const float high = random.share();
             puff.first_radius = reach * random.between(0.10f, 0.22f) * (1.3f - 0.6f * high);
             puff.velocity = glm::vec3(kBlastSpeed * out, kFountainSpeed * (0.15f + high));
-            puff.life_s = random.between(4, 8);
+            puff.life_s = random.between(3.5f, 6.5f);
             puff.density = density * random.between(0.7f, 1);
         } else {
             const glm::vec2 away = kRingSpeed * random.between(0.7f, 1.2f) * out;
