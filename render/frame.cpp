@@ -100,8 +100,8 @@ struct Renderer::Parts {
     void compute(const Frame& frame);
     void find(Frame& frame);
     void draw(const Frame& frame);
-    void draw_ground(const Frame& frame, const Target& on, const Marks& marks, Target::Parts parts);
-    void draw_coarse_ground(const Frame& frame);
+    void shade_ground(const Frame& frame, const Target& on, const Marks& marks, Target::Parts parts);
+    void shade_coarse_ground(const Frame& frame);
 
     bool is_coarse() const { return quality == Quality::kMoving; }
 
@@ -350,9 +350,9 @@ void Renderer::Parts::draw(const Frame& frame) {
 
     if (marks.extent != 0) extent.bind();
     if (is_coarse())
-        draw_coarse_ground(frame);
+        shade_coarse_ground(frame);
     else
-        draw_ground(frame, target, marks, redrawn.scene);
+        shade_ground(frame, target, marks, redrawn.scene);
     if (input.flows() && marks.flow_mesh) {
         flow.draw_mesh(target.samples());
         clock.mark(Pass::kFlow);
@@ -415,8 +415,8 @@ void Renderer::Parts::draw(const Frame& frame) {
     redrawn.outline = marks.outline;
 }
 
-void Renderer::Parts::draw_ground(const Frame& frame, const Target& on, const Marks& marks,
-                                  Target::Parts parts) {
+void Renderer::Parts::shade_ground(const Frame& frame, const Target& on, const Marks& marks,
+                                   Target::Parts parts) {
     const FrameInput& input = frame.input;
     // The visible colours of the flow are drawn unlit, so that terrain and flow are lit together.
     if (input.flows()) flow.draw(input.look.flow->pattern, marks.overlay, on, parts);
@@ -429,7 +429,7 @@ void Renderer::Parts::draw_ground(const Frame& frame, const Target& on, const Ma
 }
 
 // Lines of marks are drawn as they are spread, as fine as the frame.
-void Renderer::Parts::draw_coarse_ground(const Frame& frame) {
+void Renderer::Parts::shade_coarse_ground(const Frame& frame) {
     const Marks& marks = frame.input.marks;
     Marks overlay;
     overlay.overlay = marks.overlay;
@@ -437,7 +437,7 @@ void Renderer::Parts::draw_coarse_ground(const Frame& frame) {
     glNamedBufferSubData(coarse_block.name(), 0, sizeof frame.coarse_block, &frame.coarse_block);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, coarse_block.name());
     coarse_ground.begin(target);
-    draw_ground(frame, coarse_ground.target(), overlay, {&all, 1});
+    shade_ground(frame, coarse_ground.target(), overlay, {&all, 1});
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, frame_block.name());
     coarse_ground.spread(target, marks.has_lines());
     clock.mark(Pass::kTerrain);

@@ -5,7 +5,7 @@ const kBuiltColumns = {
     built: ['x', 'y', 'z', 'material', 'normal_x', 'normal_y', 'normal_z', 'number', 'across', 'up', 'light', 'own',
             'rests_x', 'rests_y', 'rests_z', 'rests'],
     ropes: ['x', 'y', 'z', 'side', 'along_x', 'along_y', 'along_z', 'half'],
-    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'zero'],
+    shadows: ['x', 'y', 'z', 'strength', 'foot_x', 'foot_y', 'foot_z', 'is_light'],
 };
 // How far a shadow on the ground is drawn in front of it: by its slope, and in the smallest steps of depth.
 const kShadowOffset = [2, 8];

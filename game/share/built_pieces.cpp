@@ -50,7 +50,7 @@ constexpr std::array<Column, 8> kShadows{{{"x", kPlace},
                                           {"foot_x", kPlace},
                                           {"foot_y", kPlace},
                                           {"foot_z", kPlace},
-                                          {"zero", kWhole}}};
+                                          {"is_light", kWhole}}};
 
 // The numbers of a vertex, in the order of its members.
 std::array<glm::vec4, 4> rows(const render::StructureVertex& v) {

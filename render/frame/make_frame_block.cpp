@@ -23,7 +23,10 @@ static_assert(OVERLAY_PROBABILITY == static_cast<int>(Overlay::kProbability));
 
 constexpr double kWidestDetail = 600;    // m, least width of a tile of the broadest detail
 constexpr double kWidestFlowTile = 130;  // m; the largest blocks on it are some 7 m
-constexpr double kHazeLength = 24000;    // m, in which clear mountain air keeps 1/e of green light
+// Detail that moves is as fine as that of samples so many times as high: of twice as high it would be soft, beside the same
+// ground at rest.
+constexpr float kCoarser = 1.3f;
+constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
 constexpr double kWideView =
     3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
@@ -164,7 +167,7 @@ FrameBlock coarse_frame_block(const FrameBlock& frame, int samples_across, int s
     place[0][0] = 1 / scale.x, place[1][1] = 1 / scale.y;
     place[3][0] = -shift.x / scale.x, place[3][1] = -shift.y / scale.y;
     block.clip_from_world = glm::mat4(place * glm::dmat4(frame.clip_from_world));
-    block.material.y *= 1.3f;
+    block.material.y *= kCoarser;
     block.contours.x = block.contours.z = block.ring.w = block.outline_colour.w = 0;
     return block;
 }

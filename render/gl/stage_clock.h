@@ -25,7 +25,7 @@ class StageClock {
 
   private:
     static constexpr std::size_t kMostStamps = 24;
-    static_assert(kMostStamps > kPassCount + 2);  // the beginning, each pass, and two that are marked twice
+    static_assert(kMostStamps > kPassCount + 3);  // the beginning, each pass, and three that are marked twice
 
     void stamp();
 

@@ -1,6 +1,7 @@
 #include "render/passes/coarse_ground.h"
 
 #include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ tl::expected<CoarseGround, std::string> CoarseGround::create(const std::filesyst
 }
 
 void CoarseGround::begin(const Target& frame) const {
-    frame.begin_shading();
+    frame.bind_scene(SLOT_COLOUR, SLOT_SCENE_DEPTH);
     const std::array<Rectangle, 1> all{target_.all()};
     target_.begin_scene(all);
     constexpr std::array<float, 4> kNothing{0, 0, 0, 0};  // where no ground is, because filters round

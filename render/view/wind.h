@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cmath>
-
-#include <glm/ext/scalar_constants.hpp>
 #include <glm/vec2.hpp>
+
+#include "sim/core/angle.h"
 
 namespace render {
 
@@ -16,26 +15,11 @@ struct Wind {
     bool operator==(const Wind&) const = default;
 };
 
-// Where it blows to: east and north, m/s. Bit-identical on every machine: only + − × ÷. Inline, because recordings
-// are verified without a renderer.
+// Where it blows to: east and north, m/s; the same bits on every machine. Inline, because recordings are verified without
+// a renderer.
 inline glm::vec2 velocity(const Wind& wind) {
-    // The nearest of the four main directions, and the angle from it. Taylor series up to an eighth of a turn, within
-    // 1e-9.
-    const double quarters = std::floor(wind.from_deg / 90 + 0.5);
-    const double x = (wind.from_deg - 90 * quarters) * (glm::pi<double>() / 180), y = x * x;
-    const double sine = x * (1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72))));
-    const double cosine = 1 - y / 2 * (1 - y / 12 * (1 - y / 30 * (1 - y / 56 * (1 - y / 90))));
-    const double along = -wind.speed * cosine, aside = -wind.speed * sine;
-    switch (static_cast<int>(quarters) & 3) {
-        case 0:
-            return {aside, along};
-        case 1:
-            return {along, -aside};
-        case 2:
-            return {-aside, -along};
-        default:
-            return {-along, aside};
-    }
+    const sim::Direction from = sim::direction_of(wind.from_deg);
+    return {-wind.speed * from.x, -wind.speed * from.y};
 }
 
 }  // namespace render
