@@ -21,10 +21,10 @@ vec3 needles(Tree tree) {
 }
 // Some carry much snow, others have shed it: share of the most, 0 to 1.
 float carried(Tree tree) { return tree.kind.w * own(tree, 29.3); }
-// Its colour, and how much of what branches carry is there: it came with the snow around the tree.
+// Its colour, and how much of what branches carry is there: it came with the snow around the tree, or with old snow.
 vec4 snow(Tree tree) {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, tree.look.z);
-    float there = smoothstep(0.02, 0.30, tree.look.y) * smoothstep(0.55, 0.75, lies.g);
+    float there = smoothstep(0.02, 0.30, tree.look.y + frame.meadow.w) * smoothstep(0.55, 0.75, lies.g);
     return vec4(lies, there * (tree.kind.y > 1.5 ? mix(0.5, 1.1, carried(tree)) : 1.0));  // a group has one picture
 }
 
