@@ -16,7 +16,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 standing;          // w: depth that hides the ground, m
     vec4 rolling;           // w: depth at which it is drawn, m
     vec4 lower_standing;    // of the lower material; w: 1 in a world of two
-    vec4 lower_rolling;
+    vec4 lower_rolling;     // w: levels by which this image is coarser than a finished one, 0 to 1.5
     vec4 turf;              // of the standing layer where it never changed; w: 1 if there is any
     vec4 lower_turf;        // of the lower material
     vec4 material;          // roughness 0 to 1; height of a sample at a distance of 1; samples along the edge of a pixel; 1: first depth is known

@@ -52,7 +52,9 @@ mat2 turned(float c, float s, float width) { return mat2(c, s, -s, c) / width; }
 // of a tile across, m. Mip-mapped, so what is too fine for a pixel vanishes instead of shimmering.
 vec4 detail(Place p, int kind, vec2 at, mat2 to_tiles, float width) {
     float level = p.level - log2(width);
-    level += 2.0 * max(level - 3.5, 0.0);  // where tiles are seen as small, they lose what would show that they repeat
+    // Where tiles are seen as small, they lose what would show that they repeat: at the same distance in a coarse image, or
+    // rock would change its shape where something begins to move.
+    level += 2.0 * max(level - 3.5 - frame.lower_rolling.w, 0.0);
     vec4 t = textureLod(detail_texture, vec3(to_tiles * at, kind), level);
     t.xy = (t.xy * 2.0 - 1.0) * to_tiles * width;
     return mix(vec4(0.0, 0.0, 0.5, 0.5), t, frame.haze.w);

@@ -40,6 +40,8 @@ class FrameBlock {
         this.floats('ray_right').set(right);
         this.floats('ray_up').set(up);
         this.floats('material').set([pixel, samples], 1);
+        const rows = 2 * Math.hypot(...up) / pixel, finished = 1440;  // of samples, as in make_frame_block.cpp
+        this.floats('lower_rolling').set([Math.min(Math.max(Math.log2(finished / rows), 0), 1.5)], 3);
     }
 
     // `overlay`: of slide.info.overlays, or null; `stops`: four numbers each.

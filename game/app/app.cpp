@@ -130,7 +130,7 @@ void App::begin_tutorial(const Remembered& led) {
     tutorial_.begin(led, sandbox_->watches(), now_s());
     if (!tutorial_.shows_opening()) return;
     time_.clock().set_speed(kOpeningSpeed);
-    lookout_.control().chase(true);
+    open_.shots.emplace(lookout_.camera());
 }
 
 // While the slide of the opening is watched, any key or button ends it, and does nothing else.
@@ -142,7 +142,7 @@ std::span<const Event> App::watch_opening(std::span<const Event> events) {
 
 // The same mountain, untouched.
 void App::end_opening() {
-    lookout_.control().chase(false);
+    open_.shots.reset();
     open_or_tell(Guide::kMountain, {});
     lookout_.control().set_home(home());
     lookout_.control().overview();
@@ -175,10 +175,18 @@ void App::perform_all() {
 
 void App::move_camera(double elapsed_s) {
     const sim::View world = sandbox_->session().view();
-    if (lookout_.control().mode() == CameraMode::kChase)
+    if (lookout_.control().mode() == CameraMode::kChase || open_.shots)
         open_.front.see(world);
     else
         open_.front.forget();
+    if (open_.shots)
+        if (const auto pose = open_.shots->next({.camera = lookout_.camera(),
+                                                 .front = open_.front.front(),
+                                                 .world = world,
+                                                 .around = lookout_.surroundings(),
+                                                 .aspect = lookout_.aspect(),
+                                                 .now_s = now_s()}))
+            lookout_.control().cut_to(*pose);
     lookout_.move(input_, open_.front.front(), world, elapsed_s);
 }
 

@@ -29,6 +29,7 @@
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
 #include "game/controls/screen.h"
+#include "game/controls/shots.h"
 #include "game/controls/slide_front.h"
 #include "game/controls/time_control.h"
 #include "game/session/sandbox.h"
@@ -175,6 +176,7 @@ class App {
     struct OpenWorld {
         std::optional<Probe> probe;
         SlideFront front;
+        std::optional<Shots> shots;  // while the opening is watched
         double earth_before = 0;  // m³ in use when the stroke began
         Results results;
         GoalLines goal_lines;

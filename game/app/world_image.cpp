@@ -112,13 +112,14 @@ ImageSize WorldImage::moving_size(const Moment& moment, bool camera_moved) {
     const ScreenSize& size = seen_.screen;
     if (tier_ == Tier::kFull) return image_for(size, 1, tier.fine, bounds_);
     const Display& display = seen_.display;
-    const double scale =
-        resolution_.scale_for({.now_s = moment.now_s,
-                               .camera_moved = camera_moved,
-                               .screen_pixels = static_cast<double>(size.width) * size.height},
-                              {.target_ms = display.frame_ms,
-                               .least = std::min(least_scale(tier_, size), display.most_scale),
-                               .most = display.most_scale});
+    const double scale = resolution_.scale_for(
+        {.now_s = moment.now_s,
+         .camera_moved = camera_moved,
+         .screen_pixels = static_cast<double>(size.width) * size.height},
+        {.target_ms = display.frame_ms,
+         .least = std::min(least_scale(tier_, size, true), display.most_scale),
+         .most = display.most_scale,
+         .least_of_world = std::min(least_scale(tier_, size, false), display.most_scale)});
     ImageSize image = image_for(size, scale, tier.fine, bounds_);
     image.moving = camera_moved;  // else little is drawn anew, and that in full
     return image;

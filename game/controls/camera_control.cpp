@@ -110,6 +110,11 @@ void CameraControl::go_to(const render::Camera& pose) {
     look_down_ = false;
 }
 
+void CameraControl::cut_to(const render::Camera& pose) {
+    go_to(pose);
+    now_ = goal_;
+}
+
 void CameraControl::move(const CameraWish& asked, const sim::View& world, const render::Surroundings& around,
                          double asked_aspect, double elapsed_s) {
     const CameraRoom room(world, around);

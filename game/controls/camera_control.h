@@ -59,6 +59,8 @@ class CameraControl {
     // Moves there, and orbits.
     void go_to(const render::Camera& pose);
     void overview() { go_to(home_); }
+    // Is there at once, and orbits.
+    void cut_to(const render::Camera& pose);
 
     // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per
     // frame.

@@ -26,10 +26,10 @@ std::uint64_t bytes_of(const ImageSize& image) {
     return frame_bytes({image.width, image.height, samples_of(image.fine)});
 }
 
-double least_scale(Tier tier, const ScreenSize& screen) {
-    constexpr double kLeastPixels = 640.0 * 360.0;
-    const double pixels = static_cast<double>(screen.width) * screen.height;
-    return std::max(info_of(tier).least_scale, std::min(std::sqrt(kLeastPixels / pixels), 1.0));
+double least_scale(Tier tier, const ScreenSize& screen, bool camera_moves) {
+    const double least = camera_moves ? 640.0 * 360.0 : 1280.0 * 720.0,
+                 pixels = static_cast<double>(screen.width) * screen.height;
+    return std::max(info_of(tier).least_scale, std::min(std::sqrt(least / pixels), 1.0));
 }
 
 ImageSize image_for(const ScreenSize& screen, double scale, bool fine, const ImageBounds& bounds) {

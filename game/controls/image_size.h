@@ -26,8 +26,8 @@ struct ImageBounds {
 std::uint64_t bytes_of(const ImageSize& image);
 
 // The least scale of moving images for a screen: that of the tier, but 640 × 360 pixels at least if the screen has as many,
-// however slow the machine is. 0 to 1.
-double least_scale(Tier tier, const ScreenSize& screen);
+// however slow the machine is, and 1280 × 720 while the camera stands still, when little is drawn anew. 0 to 1.
+double least_scale(Tier tier, const ScreenSize& screen, bool camera_moves);
 
 // The image for a screen at `scale`, drawn pixels per screen pixel along each axis. Within the bounds: if
 // there is no room for two by two samples per pixel it has one, and then fewer pixels. At least 1 × 1.

@@ -38,6 +38,7 @@ class Lookout {
     void move(const Input& input, const std::optional<SlideFront::Front>& followed, const sim::View& world,
               double elapsed_s);
     const std::optional<glm::dvec3>& ground() const { return ground_; }
+    double aspect() const;  // of the image, width / height
 
     // Nothing if sky or a mountain is there.
     std::optional<glm::dvec3> ground_under(glm::dvec2 point, const sim::View& world) const;
@@ -49,7 +50,6 @@ class Lookout {
     std::optional<glm::dvec2> seen_on_screen(glm::dvec2 place, const sim::View& world) const;
 
   private:
-    double aspect() const;
     render::Ray ray_under(glm::dvec2 point) const;
     // m along the ray to the mountains around the grid.
     std::optional<double> mountain_along(render::Ray ray, const sim::View& world) const;

@@ -29,6 +29,12 @@ Steps allowed(const ResolutionControl::Limits& limits) {
     return steps;
 }
 
+// While the camera stands still.
+ResolutionControl::Limits of_world(ResolutionControl::Limits limits) {
+    limits.least = limits.least_of_world;
+    return limits;
+}
+
 }  // namespace
 
 // Until a step is tried: less than in proportion to pixels, because a part of drawing is the same at any size.
@@ -122,7 +128,7 @@ void ResolutionControl::fit_screen(double pixels) {
         each->from.reset();
         if (ms == 0) continue;
         for (std::size_t i = 0; i < each->haste; ++i) each->add(ms, 0);
-        each->choose(limits_);
+        each->choose(each == &camera_ ? limits_ : of_world(limits_));
         each->clear();
         each->from.reset();
     }
@@ -136,7 +142,7 @@ double ResolutionControl::scale_for(const Frame& frame, const Limits& limits) {
     const bool camera = frame.camera_moved || frame.now_s - moved_s_ < kHold;
     if (!camera && !std::exchange(world_drawn_, true)) world_.step = camera_.step;
     Case& chosen = camera ? camera_ : world_;
-    chosen.choose(limits);
+    chosen.choose(camera ? limits : of_world(limits));
     const double scale = kScales[chosen.step];
     // The first frame of a size or of a case pays for the change. What is drawn while the size is held is no
     // frame of either case.

@@ -20,6 +20,7 @@ class ResolutionControl {
     struct Limits {
         double target_ms = 33;          // of a whole frame
         double least = 0.25, most = 1;  // scales allowed; `least` ≤ `most`
+        double least_of_world = 0.25;   // instead of `least` while the camera stands still
         bool operator==(const Limits&) const = default;
     };
     struct Frame {

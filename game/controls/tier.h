@@ -19,7 +19,7 @@ struct TierInfo {
 inline constexpr std::array<TierInfo, 3> kTiers{
     {{"fast", 0.25, false,
       "While something moves: one sample per pixel, and as much resolution as the frame time allows, a "
-      "quarter and 640×360 pixels at least."},
+      "quarter and 640×360 pixels at least, 1280×720 while the camera stands still."},
      {"balanced", 0.75, false,
       "While something moves: one sample per pixel, and three quarters of the resolution at least."},
      {"full", 1, true,

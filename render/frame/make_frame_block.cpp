@@ -26,7 +26,8 @@ constexpr double kWidestFlowTile = 130;  // m; the largest blocks on it are some
 // Detail that moves is as fine as that of samples so many times as high: of twice as high it would be soft, beside the same
 // ground at rest.
 constexpr float kCoarser = 1.3f;
-constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
+constexpr double kFinishedRows = 1440;  // samples, of a finished image of 1280×720 pixels
+constexpr double kHazeLength = 24000;   // m, in which clear mountain air keeps 1/e of green light
 constexpr double kWideView =
     3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
@@ -136,7 +137,9 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     block.standing = glm::vec4(look.standing, look.cover_visible_m);
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
-    block.lower_rolling = glm::vec4(look.lower_rolling, 0);
+    block.lower_rolling =
+        glm::dvec4(glm::dvec3(look.lower_rolling),
+                   std::clamp(std::log2(kFinishedRows / (input.height * samples)), 0.0, 1.5));
     if (look.turf) block.turf = glm::vec4(*look.turf, 1);
     if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);

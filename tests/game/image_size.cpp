@@ -10,12 +10,18 @@ namespace {
 TEST(ImageSize, is_that_of_the_screen_times_the_scale) {
     EXPECT_EQ(image_for({1280, 720}, 1, true, {}), (ImageSize{1280, 720, true}));
     EXPECT_EQ(image_for({1280, 720}, 0.375, false, {}), (ImageSize{480, 270, false}));
-    EXPECT_EQ(least_scale(Tier::kFast, {1280, 720}), 0.5);
-    EXPECT_EQ(least_scale(Tier::kBalanced, {1280, 720}), 0.75);
-    EXPECT_EQ(least_scale(Tier::kFast, {640, 360}), 1);
-    EXPECT_EQ(least_scale(Tier::kFast, {1, 1}), 1);
-    EXPECT_EQ(least_scale(Tier::kFast, {7680, 4320}), 0.25);
     EXPECT_EQ(image_for({801, 433}, 0.5, false, {}), (ImageSize{401, 217, false}));
+}
+
+TEST(ImageSize, has_640_by_360_pixels_at_least_and_1280_by_720_before_a_camera_that_stands) {
+    EXPECT_EQ(least_scale(Tier::kFast, {1280, 720}, true), 0.5);
+    EXPECT_EQ(least_scale(Tier::kFast, {1280, 720}, false), 1);
+    EXPECT_EQ(least_scale(Tier::kFast, {2560, 1440}, false), 0.5);
+    EXPECT_EQ(least_scale(Tier::kBalanced, {1280, 720}, true), 0.75);
+    EXPECT_EQ(least_scale(Tier::kBalanced, {2560, 1440}, false), 0.75);
+    EXPECT_EQ(least_scale(Tier::kFast, {640, 360}, true), 1);
+    EXPECT_EQ(least_scale(Tier::kFast, {1, 1}, true), 1);
+    EXPECT_EQ(least_scale(Tier::kFast, {7680, 4320}, true), 0.25);
 }
 
 TEST(ImageSize, is_a_pixel_at_least) {

@@ -57,6 +57,13 @@ TEST_F(ResolutionControls, meet_the_target_at_the_largest_scale_that_does) {
     }
 }
 
+TEST_F(ResolutionControls, have_another_least_while_the_camera_stands) {
+    limits.least_of_world = 0.75;
+    EXPECT_EQ(frames(300, true, costing(5, 800)), 0.25);
+    EXPECT_EQ(frames(300, false, costing(5, 800)), 0.75);
+    EXPECT_EQ(frames(300, true, costing(5, 800)), 0.25);
+}
+
 TEST_F(ResolutionControls, settle_and_do_not_flicker) {
     for (double whole = 10; whole < 500; whole *= 1.17) {
         control = {};
