@@ -32,13 +32,16 @@ void main() {
             break;
         case BUILT_STEEL: albedo = vec3(0.16, 0.17, 0.18); break;
         case BUILT_ROAD:
-            // Wheels have worn packed snow down to the gravel.
+            // Wheels have worn packed snow down to the gravel, in two tracks of each lane.
             {
-                float trodden = 0.5 * soft.z + 0.5 * texture(detail_texture, vec3(ground / 5.3, DETAIL_SOFT)).z + 0.35 * (rock.z - 0.5);
-                albedo = mix(vec3(0.190, 0.180, 0.168) * (0.6 + 0.7 * rock.z), 0.50 * frame.standing.rgb, numbers.y * smoothstep(0.30, 0.72, trodden));
+                float lane = abs(abs(fract(on_face.y / 2.9) - 0.5) - 0.25) * 2.9;  // m from the middle of a track
+                float track = mix(0.45, smoothstep(0.50, 0.18, lane + 0.3 * (soft.z - 0.5)), clamp(1.5 - 2.0 * pixel, 0.0, 1.0));
+                float worn = track * (0.45 + 0.9 * soft.z + 0.5 * (rock.z - 0.5)) + 0.5 * (rock.z - 0.4) * soft.w;
+                vec3 gravel = vec3(0.165, 0.155, 0.145) * (0.6 + 0.7 * rock.z), packed_snow = frame.standing.rgb * (0.52 + 0.16 * soft.z + 0.12 * rock.z);
+                albedo = mix(gravel * (1.0 - 0.3 * track), packed_snow, numbers.y * (1.0 - 0.85 * clamp(worn, 0.0, 1.0)));
             }
             break;
-        case BUILT_BANK: albedo *= 0.82 + 0.22 * rock.z; break;
+        case BUILT_BANK: albedo *= 0.70 + 0.14 * soft.z + 0.20 * rock.z; break;  // thrown up with some of the road
         case BUILT_PLASTER:
             albedo = mix(vec3(0.50, 0.45, 0.36), vec3(0.56, 0.53, 0.49), numbers.x) * (0.86 + 0.2 * rock.z + 0.1 * soft.z);
             albedo *= mix(0.72, 1.0, smoothstep(0.0, 1.2, on_face.y + 0.6 * (rock.z - 0.4)));  // splashed at its foot

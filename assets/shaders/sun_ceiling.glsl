@@ -10,7 +10,7 @@ float sunlit(vec3 at) {
     float ceiling = texture(sun_ceiling, (vec2(ray, step) + 0.5) / vec2(textureSize(sun_ceiling, 0))).r;
     // The shadow of far crests under a low sun is soft and uneven: ruled edges would tell that these were straight.
     float low = 1.0 - smoothstep(0.03, 0.14, frame.sun.w);
-    float soft = 0.008 * low * frame.ground.x * float(max(frame.size.x, frame.size.y));
+    float soft = 0.012 * low * frame.ground.x * float(max(frame.size.x, frame.size.y));
     float uneven = 0.40 + 0.25 * sin(0.14 * cell.x + 1.3 * sin(0.09 * cell.y)) + 0.15 * sin(0.39 * cell.x + 0.25 * cell.y);
     return smoothstep(-0.5 * frame.sweep.z - soft, 0.0, at.z + soft * uneven - ceiling);
 }

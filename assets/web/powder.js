@@ -3,7 +3,7 @@ const kGrowth = 3.2, kFadeIn = 0.3;  // first radii that a puff gains over its l
 const kThickness = 0.42;  // of an opaque puff, through its middle
 const kScattered = 0.15;  // of the light, passed on from grain to grain
 const kFaintest = 0.01;  // opacity from which on a puff is drawn
-const kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
+const kNearest = 4, kFar = 8;  // radii: nearer puffs are not drawn, from here on all of them is
 const kHidden = 0.02, kSeen = 0.06;  // what nearer puffs leave to see of one, from which it is drawn, and drawn whole
 const kCore = 0.65, kCoreShare = 0.6;  // part of the radius that hides, and of the opacity there
 const kShadeSide = 64, kAcross = 64, kUp = 36;  // cells of a shade map, and of the veil

@@ -72,6 +72,7 @@ void add_roof(const BuildingSite& site, StructureBuilder& into, const Gable& roo
                    {0, 0, thick}, material, material == BUILT_SNOW ? material : BUILT_WOOD);
     };
     slab(from, to, 0, kThick, roof.material);
+    if (site.state() == StructureState::kDestroyed) return;  // it has shed its snow
     const float snow = std::min(0.15f + 0.4f * site.snow(), 0.75f);
     const float margin = 0.012f;
     if (site.snow() > 0.1f) slab(std::max(from, margin), std::min(to, 1 - margin), kThick, snow, BUILT_SNOW);
@@ -351,6 +352,25 @@ class House {
             for (const Wall& wall : walls_) add_stump(wall);
         add_heap(simple_ ? kSimpleHeap : std::clamp(static_cast<int>(area() / 2), 34, 260), 1.15f,
                  std::clamp(0.6f * wide_, 3.f, 9.f), masonry ? 0.75f : 0);
+        if (!style_.flat && !glass_) {
+            add_fallen_roof(-1, 0, 1, 0.2f, 0.5f);
+            add_fallen_roof(1, site_.between(0, 0.3f, 60), site_.between(0.6f, 1, 61), 0.9f, -0.4f);
+        }
+    }
+    // One side of the roof, from one share of its length to another, on the heap: as far downhill as this share of half the
+    // width, and with its eave as high above the ground, m.
+    void add_fallen_roof(float side, float from, float to, float downhill, float high) {
+        Pose pose = in_.pose();
+        const vec3 moved = site_.downhill() * (downhill * wide_);
+        pose.origin += moved;
+        pose = pose.turned({0, 0, 1}, site_.between(-0.3f, 0.3f, side < 0 ? 62 : 63));
+        pose = pose.turned(pose.axes[1], side * site_.between(0.05f, 0.25f, side < 0 ? 64 : 65));
+        pose = pose.turned(pose.axes[0], site_.between(-0.12f, 0.12f, side < 0 ? 66 : 67));
+        const glm::vec2 at(pose.origin);
+        pose.origin.z = site_.surface().height(at) + high - eave_;
+        StructureBuilder roof = in_.in(pose);
+        roof.rest_on(at, site_.surface());
+        add_roof(site_, roof, gable(), side, from, to);
     }
     // What is left of a wall: pieces of different heights.
     void add_stump(const Wall& wall) {

@@ -232,21 +232,43 @@ struct RoadSection {
 struct RoadEdge {
     float half_widths, beyond, rise;
 };
-constexpr RoadEdge kNearEdges[] = {{-1, -1.8f, -0.15f}, {-1, -0.8f, 0.7f}, {-1, 0, 0.12f},
-                                   {1, 0, 0.12f},       {1, 0.8f, 0.7f},   {1, 1.8f, -0.15f}};
+constexpr RoadEdge kNearEdges[] = {{-1, -2.6f, -0.15f}, {-1, -0.9f, 0.6f}, {-1, 0, 0.12f},
+                                   {1, 0, 0.12f},       {1, 0.9f, 0.6f},   {1, 2.6f, -0.15f}};
 constexpr RoadEdge kFarEdges[] = {{-1, -1.6f, 0.3f}, {-1, 0, 0.3f}, {1, 0, 0.3f}, {1, 1.6f, 0.3f}};
 
+// The middle of a road from point to point, its corners rounded.
+std::vector<glm::vec2> rounded(const std::vector<glm::dvec2>& points) {
+    constexpr double kRounded = 30;  // m before and after a corner, and at most half the way to the next
+    constexpr int kPieces = 8;
+    std::vector<glm::vec2> middle{points.front()};
+    const auto add = [&middle](glm::vec2 at) {
+        if (glm::distance(middle.back(), at) > 0.01f) middle.push_back(at);  // else it has no direction
+    };
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const auto toward = [&](glm::dvec2 other) {
+            const double away = glm::distance(points[i], other);
+            return glm::mix(points[i], other, std::min(0.5, kRounded / away));
+        };
+        const glm::dvec2 from = toward(points[i - 1]), to = toward(points[i + 1]);
+        for (int k = 0; k <= kPieces; ++k) {
+            const double t = static_cast<double>(k) / kPieces;
+            add(glm::mix(glm::mix(from, points[i], t), glm::mix(points[i], to, t), t));
+        }
+    }
+    add(points.back());
+    return middle;
+}
+
 // Sections from one end to the other, at most `step` apart.
-std::vector<RoadSection> sections_of(const Road& road, const FirstSurface& surface, float step) {
+std::vector<RoadSection> sections_of(const std::vector<glm::vec2>& middle, const FirstSurface& surface,
+                                     float step) {
     std::vector<RoadSection> sections;
     float way = 0;
-    for (std::size_t i = 0; i + 1 < road.points.size(); ++i) {
-        const glm::vec2 from(road.points[i]), to(road.points[i + 1]);
-        const auto along_at = [&](std::size_t k) {
-            return glm::normalize(glm::vec2(road.points[k + 1] - road.points[k]));
-        };
+    for (std::size_t i = 0; i + 1 < middle.size(); ++i) {
+        const glm::vec2 from = middle[i], to = middle[i + 1];
+        const auto along_at = [&](std::size_t k) { return glm::normalize(middle[k + 1] - middle[k]); };
         const glm::vec2 own = along_at(i), before = i > 0 ? along_at(i - 1) : own,
-                        after = i + 2 < road.points.size() ? along_at(i + 1) : own;
+                        after = i + 2 < middle.size() ? along_at(i + 1) : own;
         const float length = glm::distance(from, to);
         const int pieces = std::max(1, static_cast<int>(std::ceil(length / step)));
         for (int k = i == 0 ? 0 : 1; k <= pieces; ++k) {
@@ -266,10 +288,12 @@ void add_road_piece(const RoadSection& from, const RoadSection& to, std::span<co
                     float half, const FirstSurface& surface, StructureBuilder& into) {
     const auto point = [&](const RoadSection& section, std::size_t i) {
         const RoadEdge& edge = edges[i];
-        const glm::vec2 place = section.middle + section.across * (edge.half_widths * half + edge.beyond);
-        const float ragged = value_noise(section.way / 7, static_cast<float>(i), 4096, 7);
+        const float ragged = 0.6f * value_noise(section.way / 19, static_cast<float>(i), 4096, 7) +
+                             0.4f * value_noise(section.way / 5, static_cast<float>(i), 4096, 8);
+        const glm::vec2 place = section.middle + section.across * (edge.half_widths * half +
+                                                                   edge.beyond * (0.6f + 0.8f * ragged));
         const bool bank = edge.rise > 0.5f;
-        const float rise = bank ? (section.snowy ? edge.rise * (0.6f + 0.8f * ragged) : 0.05f) : edge.rise;
+        const float rise = bank ? (section.snowy ? edge.rise * (0.3f + 1.4f * ragged) : 0.05f) : edge.rise;
         return vec3(place, surface.height(place) + rise);
     };
     into.lie_on(to.middle, surface);
@@ -282,15 +306,14 @@ void add_road_piece(const RoadSection& from, const RoadSection& to, std::span<co
 }
 
 void add_road(const Road& road, const FirstSurface& surface, StructureMesh& mesh) {
-    constexpr double kMostPieces = 2000;
+    constexpr float kMostPieces = 2000;
     constexpr std::size_t kPiecesPerPart = 16;
-    double length = 0;
-    for (std::size_t i = 1; i < road.points.size(); ++i)
-        length += glm::distance(road.points[i - 1], road.points[i]);
-    const float step =
-        std::max(std::clamp(0.3f * surface.cell(), 0.5f, 4.f), static_cast<float>(length / kMostPieces));
+    const std::vector<glm::vec2> middle = rounded(road.points);
+    float length = 0;
+    for (std::size_t i = 1; i < middle.size(); ++i) length += glm::distance(middle[i - 1], middle[i]);
+    const float step = std::max(std::clamp(0.3f * surface.cell(), 0.5f, 4.f), length / kMostPieces);
     const auto half = static_cast<float>(road.width_m / 2);
-    const std::vector<RoadSection> sections = sections_of(road, surface, step);
+    const std::vector<RoadSection> sections = sections_of(middle, surface, step);
     StructureBuilder into(mesh.faces, {}, 0.5f);
     for (std::size_t first = 0; first + 1 < sections.size(); first += kPiecesPerPart) {
         const std::size_t last = std::min(first + kPiecesPerPart, sections.size() - 1);

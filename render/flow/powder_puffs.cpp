@@ -16,7 +16,7 @@ constexpr float kThickness = 0.42f;  // of an opaque puff, through its middle
 constexpr float kScattered = 0.15f;  // of the light, passed on from grain to grain to the depth of the cloud
 constexpr float kFaintest =
     0.01f;  // opacity, from which on a puff is drawn; all lose as much, so that none appears at once
-constexpr float kNearest = 3, kFar = 15;  // radii: nearer puffs are not drawn, from here on all of them is
+constexpr float kNearest = 4, kFar = 8;  // radii: nearer puffs are not drawn, from here on all of them is
 // Mean radii of the puffs, or the puff's own if it is larger: where on its way a shadow is counted as part of the cloud.
 // It ends with the last one, as in powder_light.frag.
 constexpr float kShadow[] = {1, 2, POWDER_SHADOW};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMoonTakesOver = -2;  // degrees of the sun; the sun has set, the moon does not shine yet
 constexpr double kMoonElevation = 35;  // degrees
-const glm::dvec3 kMoon(0.143, 0.175, 0.238);
+const glm::dvec3 kMoon(0.160, 0.198, 0.268);
 
 // The share of light that passes the air above a place, by the height of its source, ≥ 0 degrees.
 glm::dvec3 transmitted(double elevation_deg) {
@@ -32,12 +32,12 @@ constexpr Hours kAbove{{0.064, 0.124, 0.262},
                        {0.120, 0.182, 0.285},
                        {0.205, 0.222, 0.310},
                        {0.106, 0.154, 0.286},
-                       {0.020, 0.031, 0.060}};
+                       {0.010, 0.017, 0.038}};
 constexpr Hours kBelow{{0.088, 0.086, 0.088},
                        {0.125, 0.125, 0.128},
                        {0.165, 0.142, 0.138},
                        {0.070, 0.074, 0.104},
-                       {0.016, 0.022, 0.034}};
+                       {0.010, 0.014, 0.024}};
 constexpr Hours kToward{
     {0.47, 0.62, 0.80}, {0.60, 0.74, 0.90}, {0.90, 0.64, 0.46}, {0.98, 0.46, 0.300}, {0.034, 0.052, 0.092}};
 constexpr Hours kAway{
@@ -46,7 +46,7 @@ constexpr Hours kZenith{{0.036, 0.125, 0.36},
                         {0.080, 0.200, 0.46},
                         {0.095, 0.165, 0.350},
                         {0.034, 0.062, 0.170},
-                        {0.0075, 0.0135, 0.032}};
+                        {0.0050, 0.0095, 0.026}};
 
 }  // namespace
 
