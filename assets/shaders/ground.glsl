@@ -24,7 +24,7 @@ struct Detail {
     vec4 broad, soft, rock, clumps;
     vec2 at;      // m, where finer relief is taken
     float tone;   // 0 to 1, the broadest variation
-    vec2 strata;  // of steep ground: tone of its bed, −0.5 to 0.5; how much of a ledge it is, 0 to 1
+    vec4 strata;  // of steep ground: tone of its bed, −0.5 to 0.5; how much of a ledge it is, of a joint down its face, of a wet streak, 0 to 1
 };
 
 // Tiles of grain and sastrugi: 27 m along the wind, 9 m across.
@@ -76,8 +76,8 @@ vec3 of_beds(vec3 number) {
 }
 
 // Beds of rock of three thicknesses, some 40, 11 and 3 m, that dip and wave: tone, and ledge. A ledge is the top of a hard
-// bed, from which a softer one has retreated.
-vec2 strata_at(Place p, Detail d) {
+// bed, from which a softer one has retreated. Joints run down the face, and water from ledges darkens it in streaks.
+vec4 strata_at(Place p, Detail d) {
     vec4 folds = detail(p, DETAIL_SOFT, p.at.xy, turned(0.766, 0.643, 270.0), 270.0);
     float bed = dot(p.at, vec3(0.008, 0.005, 0.09)) + 2.0 * d.broad.z + 2.2 * folds.z + 0.8 * d.soft.z + 0.5 * d.rock.z;
     vec3 place = bed * vec3(0.27, 1.0, 3.3) + vec3(0.0, 0.37, 0.71), number = floor(place), up = place - number;
@@ -87,7 +87,11 @@ vec2 strata_at(Place p, Detail d) {
     vec3 ledge = smoothstep(0.0, 0.05, up) * (1.0 - smoothstep(0.08, 0.40, up)) * smoothstep(0.05, 0.35, below - here);
     // A bed wedges out here and there, and joints break its edge.
     vec3 runs = smoothstep(0.30, 0.65, vec3(d.soft.z, d.soft.w, d.clumps.z) + 0.5 * (of_beds(number + 57.0) - 0.5) + 1.8 * (folds.zwz - 0.52) + 0.7 * (0.4 - d.rock.z));
-    return vec2(dot(tone * seen, vec3(0.42, 0.36, 0.22)), dot(ledge * runs * seen, vec3(0.60, 0.50, 0.35)));
+    vec2 face = from_side(p) + 3.0 * d.soft.zw;
+    float joints = detail(p, DETAIL_ROCK, face * vec2(1.0, 0.30), turned(0.985, 0.174, 29.0), 29.0).z;
+    vec4 water = detail(p, DETAIL_SOFT, face * vec2(1.0, 0.07), turned(1.0, 0.0, 21.0), 21.0);
+    return vec4(dot(tone * seen, vec3(0.42, 0.36, 0.22)), dot(ledge * runs * seen, vec3(0.60, 0.50, 0.35)),
+                1.0 - smoothstep(0.12, 0.34, joints), smoothstep(0.50, 0.80, water.z) * smoothstep(0.42, 0.60, d.soft.w));
 }
 
 Detail detail_at(Place p) {
@@ -105,7 +109,7 @@ Detail detail_at(Place p) {
     if (side) d.rock.xy = to_ground(p, d.rock.xy);
     d.at = p.at.xy + (d.soft.zw - 0.5) * 4.0;
     d.clumps = detail(p, DETAIL_CLUMPS, d.at, turned(0.980, 0.199, 26.0), 26.0);
-    d.strata = dot(p.slope, p.slope) > 0.3 ? strata_at(p, d) * frame.haze.w : vec2(0.0);
+    d.strata = dot(p.slope, p.slope) > 0.3 ? strata_at(p, d) * frame.haze.w : vec4(0.0);
     return d;
 }
 
@@ -141,7 +145,7 @@ float patchy_share(Detail d, float share) {
 // Share of rock in bare ground: steep or high. What sticks out of snow is rather rock.
 float stony(Place p, Detail d) {
     float altitude = (p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z), snowy = smoothstep(0.55, 0.75, frame.standing.g);
-    return smoothstep(0.50, 0.95, length(p.slope) + 0.5 * (d.broad.z - 0.5) + 0.35 * (d.rock.z - 0.5) +
+    return smoothstep(0.50, 0.95, length(p.slope) + 0.5 * (d.broad.z - 0.5) + 0.35 * (d.rock.z - 0.5) + 0.14 * snowy +
                                       (0.35 + 0.5 * snowy) * smoothstep(0.45 - 0.2 * snowy, 1.0, altitude) * frame.haze.w);
 }
 
@@ -157,7 +161,8 @@ Skin ground(Place p, Detail d, vec4 fine) {
     vec3 grass = frame.meadow.rgb * mix(vec3(0.68, 0.76, 0.72), vec3(1.55, 1.30, 1.15), d.tone);
     grass *= 0.40 + 0.22 * d.soft.z + 0.22 * d.rock.z + 0.20 * d.clumps.z + 0.50 * fine.z;
     float band = 0.9 * d.strata.x, crack = 1.0 - smoothstep(0.10, 0.24, d.rock.z);
-    vec3 stone = frame.rock.rgb * (0.42 + 0.70 * d.rock.z + 0.45 * fine.z + band) * (1.0 - 0.45 * crack) * mix(vec3(1.12, 1.0, 0.86), vec3(0.90, 1.0, 1.10), clamp(d.tone + 0.8 * d.strata.x, 0.0, 1.0));
+    vec3 stone = frame.rock.rgb * (0.42 + 0.70 * d.rock.z + 0.45 * fine.z + band) * (1.0 - 0.45 * crack) * mix(vec3(1.22, 1.0, 0.78), vec3(0.84, 1.0, 1.16), clamp(d.tone + 0.8 * d.strata.x, 0.0, 1.0));
+    stone *= (0.72 + 0.56 * d.broad.z) * (1.0 - 0.50 * d.strata.z) * (1.0 - 0.45 * d.strata.w);
     return Skin(mix(grass, stone, bare),
                 mix(0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.9 * d.rock.xy + 0.5 * fine.xy + 0.5 * d.soft.xy + (0.8 * band - 0.5 * d.strata.y) * p.slope, bare),
                 mix(0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.60 + 0.8 * d.rock.z, bare));

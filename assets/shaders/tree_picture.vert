@@ -56,7 +56,8 @@ void main() {
     vec3 before = through_air(vec3(0.0), middle), kept = through_air(vec3(1.0), middle) - before;
     Lights lights = lights_of(tree, front, view, cosine);
     vec4 snows = snow(tree);
-    vec3 needle = needles(tree) * kept * lights.needle;
+    // A load of snow shades needles: bare ones are brighter, or a wood without snow would be a black mass.
+    vec3 needle = needles(tree) * mix(2.8, 1.0, snows.a) * kept * lights.needle;
     // Needles on the side of the sun are brighter by the sun's share of their light.
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;
     dark = vec4(needle, clamp(aside, -0.95, 0.95));

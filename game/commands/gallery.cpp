@@ -16,6 +16,7 @@
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
 #include "game/scene/mountains.h"
+#include "game/session/loaded_world.h"
 #include "render/frame.h"
 #include "render/mountain/overview.h"
 
@@ -42,6 +43,7 @@ Outcome<Scenes> load_scenes(const GalleryOptions& options, std::span<const Galle
         auto scene = name.empty() ? scene_of_terrain(*options.terrain, std::nullopt, overrides)
                                   : load_scene(name, overrides);
         if (!scene) return tl::unexpected(scene.error());
+        if (name.empty()) scene->scenario.trees = woods_of_hill(scene->scenario);
         scenes.emplace(name, std::move(*scene));
     }
     return scenes;

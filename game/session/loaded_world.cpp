@@ -61,24 +61,6 @@ Outcome<LoadedWorld> open_recording(const fs::path& path, const Overrides& overr
     return loaded;
 }
 
-// Woods of a hill whose file has none: below the tree line of its latitude, which is 2,000 m in the Alps and 1,000 m in the
-// south of Norway. They are for the eye alone, so its physics are those of the file.
-render::TreeRules woods_of_hill(const Scenario& scenario) {
-    constexpr double kDensity = 250;  // trees per hectare
-    constexpr double kMostAsked =
-        250000;  // trees on the grid if all of it were wooded: far more would not be drawn
-    constexpr double kAlps = 47, kLine = 2000, kFall = 72;  // degrees; m; m per degree toward the pole
-    constexpr double kLowest = 0, kHighest = 3900;          // m
-    render::TreeRules rules;
-    const sim::Grid& grid = scenario.grid;
-    const double east = (grid.nx - 1) * static_cast<double>(grid.dx),
-                 north = (grid.ny - 1) * static_cast<double>(grid.dx), hectares = east * north / 1e4;
-    rules.density = std::min(kDensity, kMostAsked / hectares);
-    if (const auto place = scenario.georeference.to_lat_lon({east / 2, north / 2}))
-        rules.line_m = std::clamp(kLine - kFall * (std::abs(place->latitude) - kAlps), kLowest, kHighest);
-    return rules;
-}
-
 Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrides) {
     if (terrains::looks_like_json(path))
         return unusable(
@@ -97,6 +79,22 @@ Outcome<LoadedWorld> open_terrain(const fs::path& path, const Overrides& overrid
 }
 
 }  // namespace
+
+render::TreeRules woods_of_hill(const Scenario& scenario) {
+    constexpr double kDensity = 250;  // trees per hectare
+    constexpr double kMostAsked =
+        250000;  // trees on the grid if all of it were wooded: far more would not be drawn
+    constexpr double kAlps = 47, kLine = 2000, kFall = 72;  // degrees; m; m per degree toward the pole
+    constexpr double kLowest = 0, kHighest = 3900;          // m
+    render::TreeRules rules;
+    const sim::Grid& grid = scenario.grid;
+    const double east = (grid.nx - 1) * static_cast<double>(grid.dx),
+                 north = (grid.ny - 1) * static_cast<double>(grid.dx), hectares = east * north / 1e4;
+    rules.density = std::min(kDensity, kMostAsked / hectares);
+    if (const auto place = scenario.georeference.to_lat_lon({east / 2, north / 2}))
+        rules.line_m = std::clamp(kLine - kFall * (std::abs(place->latitude) - kAlps), kLowest, kHighest);
+    return rules;
+}
 
 bool is_world(const Recording& recording) {
     return recording.end == 0 && recording.commands.empty();

@@ -21,6 +21,10 @@ struct LoadedWorld {
 // Whether nothing was done in a recording, and no time passed: it is a world to play in, not a session to watch.
 bool is_world(const Recording& recording);
 
+// Woods of a hill whose file has none: below the tree line of its latitude, which is 2,000 m in the Alps and 1,000 m in the
+// south of Norway. They are for the eye alone, so its physics are those of the file.
+render::TreeRules woods_of_hill(const Scenario& scenario);
+
 // Opens a scene by its name, or a file: a scene (.toml), a recording (.couloir) or else an elevation raster.
 // Shipped recordings are found by NAME.couloir. A recording that is_world() begins as a scene, called by its file. `overrides` apply to scenes and rasters; only `look` and
 // `memory` apply to recordings.

@@ -52,8 +52,11 @@ void place_to_click(Desk& desk, glm::dvec2 at, double now_s) {
     const float em = desk.em(), share = static_cast<float>(std::fmod(now_s, kPeriod) / kPeriod);
     const ImVec2 middle{static_cast<float>(at.x), static_cast<float>(at.y)};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddCircle(middle, em * (3.2f - 2.4f * share), faded(kText, share), 0, em * 0.15f);
-    list.AddCircleFilled(middle, em * 0.25f, kText);
+    const float radius = em * (3.2f - 2.4f * share);
+    list.AddCircle(middle, radius, faded(kNoticePlate, share), 0, em * 0.32f);
+    list.AddCircle(middle, radius, faded(kWarning, share), 0, em * 0.18f);  // white would be lost on snow
+    list.AddCircleFilled(middle, em * 0.32f, kNoticePlate);
+    list.AddCircleFilled(middle, em * 0.24f, kWarning);
     constexpr const char* kSay = "Try here";
     const ImVec2 size = ImGui::CalcTextSize(kSay), from{middle.x - size.x / 2, middle.y + em * 1.2f};
     list.AddRectFilled({from.x - em * 0.5f, from.y - em * 0.2f},
