@@ -87,11 +87,15 @@ vec4 strata_at(Place p, Detail d) {
     vec3 ledge = smoothstep(0.0, 0.05, up) * (1.0 - smoothstep(0.08, 0.40, up)) * smoothstep(0.05, 0.35, below - here);
     // A bed wedges out here and there, and joints break its edge.
     vec3 runs = smoothstep(0.30, 0.65, vec3(d.soft.z, d.soft.w, d.clumps.z) + 0.5 * (of_beds(number + 57.0) - 0.5) + 1.8 * (folds.zwz - 0.52) + 0.7 * (0.4 - d.rock.z));
-    vec2 face = from_side(p) + 3.0 * d.soft.zw;
-    float joints = detail(p, DETAIL_ROCK, face * vec2(1.0, 0.30), turned(0.985, 0.174, 29.0), 29.0).z;
-    vec4 water = detail(p, DETAIL_SOFT, face * vec2(1.0, 0.07), turned(1.0, 0.0, 21.0), 21.0);
-    return vec4(dot(tone * seen, vec3(0.42, 0.36, 0.22)), dot(ledge * runs * seen, vec3(0.60, 0.50, 0.35)),
-                1.0 - smoothstep(0.12, 0.34, joints), smoothstep(0.50, 0.80, water.z) * smoothstep(0.42, 0.60, d.soft.w));
+    vec4 strata = vec4(dot(tone * seen, vec3(0.42, 0.36, 0.22)), dot(ledge * runs * seen, vec3(0.60, 0.50, 0.35)), 0.0, 0.0);
+    float steep = smoothstep(0.55, 0.95, dot(p.slope, p.slope));
+    if (steep > 0.0) {
+        vec2 face = from_side(p) + 3.0 * d.soft.zw;
+        float joints = detail(p, DETAIL_ROCK, face * vec2(1.0, 0.30), turned(0.985, 0.174, 29.0), 29.0).z;
+        float water = detail(p, DETAIL_SOFT, face * vec2(1.0, 0.07), turned(1.0, 0.0, 21.0), 21.0).z;
+        strata.zw = steep * vec2(1.0 - smoothstep(0.12, 0.34, joints), smoothstep(0.50, 0.80, water) * smoothstep(0.42, 0.60, d.soft.w));
+    }
+    return strata;
 }
 
 Detail detail_at(Place p) {

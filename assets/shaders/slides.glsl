@@ -11,12 +11,15 @@ Skin moving(vec3 albedo, Detail d, float speed) {
                 mix(1.0, 0.40 + 1.1 * lump, rough));
 }
 
-// The rolling layer's advected texture: weaker than the texture itself, and as uneven overall as the ground.
+// The rolling layer's advected texture: weaker than the texture itself, and as uneven overall as the ground. Its blocks stick
+// out in places and are buried in others, or far away it would be scales of one size.
 Skin worn(Skin carried, vec3 albedo, Detail d) {
     const vec3 kLuminance = vec3(0.21, 0.72, 0.07);
     float rough = frame.material.x, light = dot(carried.albedo, kLuminance) / max(dot(albedo, kLuminance), 1e-3);
-    return Skin(albedo * (mix(1.0, light, rough) * (0.85 + 0.3 * d.broad.w)), rough * (carried.rise + 0.2 * d.broad.xy),
-                mix(1.0, carried.open, rough));
+    float bare = mix(1.0, mix(0.25, 1.45, smoothstep(0.30, 0.70, 0.6 * d.soft.z + 0.4 * d.clumps.z)), frame.haze.w);
+    return Skin(albedo * (mix(1.0, light, rough * min(bare, 1.0)) * (0.85 + 0.3 * d.broad.w)),
+                rough * (bare * carried.rise + 0.2 * d.broad.xy + frame.haze.w * (0.35 * d.soft.xy + 0.20 * d.clumps.xy)),
+                mix(1.0, carried.open, rough * min(bare, 1.0)));
 }
 
 // The same for a deposit: nearly the colour of the standing layer, as crushed material is darker.
