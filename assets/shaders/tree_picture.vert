@@ -3,7 +3,7 @@
 out vec4 place;       // −1 to 1 across the picture, 0 to 1 up; texels of the level
 flat out vec4 dark;   // light from needles to the eye; how much brighter they are on one side
 flat out vec4 white;  // how much more comes from snow on them; share of the light that is lost at the foot
-flat out vec4 air;    // light of the air before it; level of the pictures
+flat out vec4 air;    // light of the air before it; level of the pictures, −1: the finest, and its texels are larger than samples
 
 // Of all trees, the column of its pictures.
 float column_of(Tree tree, bool group) {
@@ -62,5 +62,5 @@ void main() {
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;
     dark = vec4(needle, clamp(aside, -0.95, 0.95));
     white = vec4((snows.rgb * kept * lights.snow - needle) * snows.a, mix(0.25, 0.75, tree.kind.z));
-    air = vec4(before, level - float(TREE_FINEST));
+    air = vec4(before, texels < 0.7 * exp2(float(TREE_FINEST)) ? -1.0 : level - float(TREE_FINEST));
 }
