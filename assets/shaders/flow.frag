@@ -35,16 +35,22 @@ void main() {
     Sheet sheets[kSheets];
     // Where the advected sheets are stretched, a sheet that lies still replaces them: fresh debris. The stretch is
     // interpolated between vertices, so no triangle is seen.
-    float keep = int(frame.flow.y) == FLOW_EVERYWHERE ? 1.0 : 1.0 - smoothstep(STRETCH_KEPT, STRETCH_GONE, stretch);
+    bool everywhere = int(frame.flow.y) == FLOW_EVERYWHERE;
+    float keep = everywhere ? 1.0 : 1.0 - smoothstep(STRETCH_KEPT, STRETCH_GONE, stretch), kept = 0.0;
     for (int s = 0; s < kAdvected; ++s) {
         int k = s / 2;
         vec2 place = at + (s % 2 == 0 ? offset[k].xy : offset[k].zw);
         float layer = max(0.0, 1.0 - abs(mixture.w - float(k)));
         float share = s % 2 == 0 ? 1.0 - mixture[k] : mixture[k];
-        sheets[s] = Sheet(place * frame.flow.x, mat2(dFdx(place), dFdy(place)) * to_pixel, keep * layer * share);
+        mat2 gradient = mat2(dFdx(place), dFdy(place)) * to_pixel;
+        // A triangle at the border may have a sheet that is pressed together in it alone, to a pattern of dots.
+        float pressed = max(dot(gradient[0], gradient[0]), dot(gradient[1], gradient[1]));
+        float weight = keep * layer * share * (everywhere ? 1.0 : 1.0 - smoothstep(4.0, 9.0, pressed));
+        sheets[s] = Sheet(place * frame.flow.x, gradient, weight);
+        kept += weight;
     }
     // Rotated and moved, so that it does not resemble sheets that have hardly moved.
-    sheets[kAdvected] = Sheet((at.yx + vec2(37.0, 11.0)) * frame.flow.x, mat2(0.0, 1.0, 1.0, 0.0), 1.0 - keep);
+    sheets[kAdvected] = Sheet((at.yx + vec2(37.0, 11.0)) * frame.flow.x, mat2(0.0, 1.0, 1.0, 0.0), everywhere ? 0.0 : 1.0 - kept);
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
     skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);

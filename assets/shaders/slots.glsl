@@ -108,6 +108,7 @@
 #define TREE_COLUMN_GROUP 7
 #define TREE_SPARE 1.3  // half the width of a tile, in radii of the crown
 #define TREE_ABOVE 1.02 // what is in a tile, in heights of the tree
+#define TREE_SHADOW_WIDTH 1.2 // half the width of a shadow at the foot, in radii of the crown
 #define TREE_BROKEN 0.03 // share of spruces whose top is broken off
 
 // Values of render::TreeKind

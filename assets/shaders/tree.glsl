@@ -4,7 +4,7 @@ struct Tree {
     vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
     vec4 look;    // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
     vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
-    vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; share of the snow that its branches keep
+    vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; share of the snow that its branches keep, 0 where none fell
 };
 
 // A number of the tree's own, 0 to 1, for each factor another.
@@ -20,12 +20,21 @@ vec3 needles(Tree tree) {
     return green * mix(0.80, 1.20, own(tree, 71.3));
 }
 // Some carry much snow, others have shed it: share of the most, 0 to 1.
-float carried(Tree tree) { return tree.kind.w * own(tree, 29.3); }
-// Its colour, and how much of what branches carry is there: it came with the snow around the tree, or with old snow.
+float carried(Tree tree) { return max(tree.kind.w, min(frame.meadow.w, 0.8)) * own(tree, 29.3); }
+// Its colour, and how much of what branches carry is there: it came with the snow near the tree, or with old snow.
 vec4 snow(Tree tree) {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, tree.look.z);
-    float there = smoothstep(0.02, 0.30, tree.look.y + frame.meadow.w) * smoothstep(0.55, 0.75, lies.g);
+    float there = max(smoothstep(0.0, 0.3, tree.kind.w), smoothstep(0.02, 0.30, frame.meadow.w)) * smoothstep(0.55, 0.75, lies.g);
     return vec4(lies, there * (tree.kind.y > 1.5 ? mix(0.5, 1.1, carried(tree)) : 1.0));  // a group has one picture
+}
+
+// Of all trees, the column of its pictures.
+float column_of(Tree tree, bool group) {
+    if (group) return float(TREE_COLUMN_GROUP);
+    if (tree.kind.x == float(TREE_PINE)) return float(TREE_COLUMN_PINE);
+    if (tree.kind.x == float(TREE_LARCH)) return float(TREE_COLUMN_LARCH);
+    if (own(tree, 57.0) < TREE_BROKEN && tree.axis.z > 0.9) return float(TREE_COLUMN_BROKEN);
+    return min(floor(float(TREE_SPRUCES) * carried(tree)), float(TREE_SPRUCES) - 1.0);
 }
 
 // Light that falls on needles, which face the eye, and on snow on branches, which faces up. `front`: unit vector across the

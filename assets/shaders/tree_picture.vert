@@ -5,15 +5,6 @@ flat out vec4 dark;   // light from needles to the eye; how much brighter they a
 flat out vec4 white;  // how much more comes from snow on them; share of the light that is lost at the foot
 flat out vec4 air;    // light of the air before it; level of the pictures, −1: the finest, and its texels are larger than samples
 
-// Of all trees, the column of its pictures.
-float column_of(Tree tree, bool group) {
-    if (group) return float(TREE_COLUMN_GROUP);
-    if (tree.kind.x == float(TREE_PINE)) return float(TREE_COLUMN_PINE);
-    if (tree.kind.x == float(TREE_LARCH)) return float(TREE_COLUMN_LARCH);
-    if (own(tree, 57.0) < TREE_BROKEN && tree.axis.z > 0.9) return float(TREE_COLUMN_BROKEN);
-    return min(floor(float(TREE_SPRUCES) * carried(tree)), float(TREE_SPRUCES) - 1.0);
-}
-
 // A corner of a triangle around a cone of this base, or around what is round: across and up, in heights of the tree.
 vec2 corner_around(int corner, bool is_round, float radius, float low, float sine, float cosine) {
     float deep = radius * sine, tall = 1.10 * cosine + 0.03 + 0.7 * deep;

@@ -168,7 +168,7 @@ class PowderPuffs {
             }
             puff.distance = dot(puff.at.map((part, k) => part - eye[k]), forward);
             const parted = smoothstep(kNearest * puff.radius, kFar * puff.radius, puff.distance);
-            puff.shown = puff.opacity * parted - kFaintest;
+            puff.shown = puff.opacity * parted * parted - kFaintest;
             const place = puff.shown >= 0 && include(puff.at, puff.radius, kNearest);
             if (!place) return false;
             Object.assign(puff, place);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <glm/geometric.hpp>
+
 #include "game/controls/key_map.h"
 #include "render/gl/context.h"
 
@@ -14,6 +16,13 @@ namespace {
 
 constexpr double kLateRing = 1.5;    // of the frame time; a ring that takes longer is drawn on a moving image
 constexpr double kStillAfter = 0.4;  // s without a change, until an image is finished
+
+// Whether a camera that stood is suddenly elsewhere. It stands there: its first image may take longer than a frame, and need not
+// be coarse.
+bool is_cut(const render::Camera& from, const render::Camera& to) {
+    constexpr double kJump = 0.5;  // of the distance to what it looks at
+    return glm::distance(render::eye(to), render::eye(from)) > kJump * from.distance_m;
+}
 
 }  // namespace
 
@@ -42,7 +51,9 @@ void WorldImage::end_trial() {
 void WorldImage::draw(const Seen& seen, const Subject& subject, const Moment& moment) {
     now_s_ = moment.now_s;
     tier_ = seen.display.tier;
-    const bool camera_moved = !(seen.camera == seen_.camera), changed = !(seen == seen_);
+    const bool another_camera = !(seen.camera == seen_.camera), changed = !(seen == seen_);
+    const bool camera_moved = another_camera && (on_its_way_ || !is_cut(seen_.camera, seen.camera));
+    on_its_way_ = another_camera;
     const bool ring_alone = changed && follows_ring(seen);
     if (changed) {
         seen_ = seen;

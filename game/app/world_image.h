@@ -97,6 +97,7 @@ class WorldImage {
 
     Seen seen_;
     double now_s_ = 0, still_since_ = 0;  // s; the latter when seen_ last changed
+    bool on_its_way_ = false;             // the camera, in the last image
     bool ring_in_time_ = true;            // it can follow the cursor on a finished image
     ImageSize drawn_, best_;              // the last image; what one that stands still has
     ResolutionControl resolution_;

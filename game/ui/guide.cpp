@@ -89,7 +89,7 @@ void over_image(ImFont& font, const char* text, ImVec2 middle, float strength) {
 }  // namespace
 
 void title(Desk& desk, float strength) {
-    over_image(*desk.widgets.letters.title, "Couloir", {desk.size.x / 2, desk.size.y * 0.3f}, strength);
+    over_image(*desk.widgets.letters.title, "Couloir", {desk.size.x / 2, desk.size.y * 0.15f}, strength);
 }
 
 void opening(Desk& desk, const Facts& facts) {

@@ -11,7 +11,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kToolbarWidth = 62, kNameWidth = 3.8f;  // em
+constexpr float kToolbarWidth = 62, kToolbarWidthOfGoal = 40, kNameWidth = 3.8f;  // em
 
 // Places groups of known width side by side, and continues on the next line if the row is full.
 class Flow {
@@ -279,8 +279,9 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
         return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
     };
     const bool wordless = width(false) > most;
-    // Always as wide, so that no button moves when another tool is chosen.
-    const float wide = std::min(std::max(kToolbarWidth * desk.em(), width(wordless)), most);
+    // Always as wide, so that no button moves when another tool is chosen. A challenge has few.
+    const float usual = desk.em() * (facts.scenario.goal ? kToolbarWidthOfGoal : kToolbarWidth);
+    const float wide = std::min(std::max(usual, width(wordless)), most);
     ImGui::SetNextWindowPos({desk.size.x / 2, margin}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, desk.size.y});
     ImGui::Begin("Toolbar", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);

@@ -72,9 +72,10 @@ void add_roof(const BuildingSite& site, StructureBuilder& into, const Gable& roo
                    {0, 0, thick}, material, material == BUILT_SNOW ? material : BUILT_WOOD);
     };
     slab(from, to, 0, kThick, roof.material);
-    if (site.state() == StructureState::kDestroyed) return;  // it has shed its snow
     const float snow = std::min(0.15f + 0.4f * site.snow(), 0.75f);
     const float margin = 0.012f;
+    // One that fell has shed most of it.
+    if (site.state() == StructureState::kDestroyed) to = std::lerp(from, to, site.between(0.25f, 0.6f, 68));
     if (site.snow() > 0.1f) slab(std::max(from, margin), std::min(to, 1 - margin), kThick, snow, BUILT_SNOW);
 }
 
@@ -353,8 +354,8 @@ class House {
         add_heap(simple_ ? kSimpleHeap : std::clamp(static_cast<int>(area() / 2), 34, 260), 1.15f,
                  std::clamp(0.6f * wide_, 3.f, 9.f), masonry ? 0.75f : 0);
         if (!style_.flat && !glass_) {
-            add_fallen_roof(-1, 0, 1, 0.2f, 0.5f);
-            add_fallen_roof(1, site_.between(0, 0.3f, 60), site_.between(0.6f, 1, 61), 0.9f, -0.4f);
+            add_fallen_roof(-1, 0, 1, 0.2f, -0.1f);
+            add_fallen_roof(1, site_.between(0, 0.3f, 60), site_.between(0.6f, 1, 61), 0.9f, -0.8f);
         }
     }
     // One side of the roof, from one share of its length to another, on the heap: as far downhill as this share of half the

@@ -444,13 +444,18 @@ void add_window_light(const BuildingSite& site, std::vector<StructureShadowVerte
     constexpr int kAround = 12;
     const glm::vec2 half(half_footprint(site.structure()).y, half_footprint(site.structure()).x);
     const glm::vec4 foot(site.pose().origin, 1);
+    const float bright = site.between(0.92f, 1.1f, 80);
     const auto corner = [&](const Ring& ring, int i) {
         const float angle = glm::radians(360.f) * static_cast<float>(i) / kAround;
         const glm::vec2 toward(std::cos(angle), std::sin(angle));
         // From the wall in this direction.
         const glm::vec2 wall = glm::clamp(1.5f * glm::max(half.x, half.y) * toward, -half, half);
-        const vec3 at = site.pose().at({wall + ring.beyond * toward, 0});
-        return StructureShadowVertex{{at.x, at.y, site.surface().height(glm::vec2(at)), ring.strength}, foot};
+        // Each side has its own windows.
+        const float far =
+            ring.beyond * (0.6f + 0.4f * bright) * site.between(0.5f, 1.05f, 90 + i % kAround / 3);
+        const vec3 at = site.pose().at({wall + far * toward, 0});
+        return StructureShadowVertex{
+            {at.x, at.y, site.surface().height(glm::vec2(at)), bright * ring.strength}, foot};
     };
     for (std::size_t k = 0; k + 1 < kRings.size(); ++k)
         for (int i = 0; i < kAround; ++i) {

@@ -21,9 +21,11 @@ constexpr float kNearest = 4, kFar = 8;  // radii: nearer puffs are not drawn, f
 // It ends with the last one, as in powder_light.frag.
 constexpr float kShadow[] = {1, 2, POWDER_SHADOW};
 
-// Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible.
+// Share of its opacity with which a puff is drawn. Near the eye the cloud parts, so that the blocks of the flow stay visible. A
+// puff that is hardly there would be a veil with a rim.
 float parted(float distance, float radius) {
-    return ramp(kNearest * radius, kFar * radius, distance);
+    const float share = ramp(kNearest * radius, kFar * radius, distance);
+    return share * share;
 }
 
 // Of a cell of the map.

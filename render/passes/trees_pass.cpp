@@ -151,6 +151,7 @@ void TreesPass::draw(std::span<const Rectangle> parts) {
                          3 * static_cast<GLsizei>(count(part)));
         }
     };
+    glBindTextureUnit(SLOT_TREE_PICTURES, pictures_.name());
     {
         // A shadow lies on the ground as a triangle, which is a little above it everywhere.
         const Enabled blend(GL_BLEND), offset(GL_POLYGON_OFFSET_FILL);
@@ -162,7 +163,6 @@ void TreesPass::draw(std::span<const Rectangle> parts) {
         glDepthMask(GL_TRUE);
         glPolygonOffset(0, 0);
     }
-    glBindTextureUnit(SLOT_TREE_PICTURES, pictures_.name());
     draw(picture_, [](const Part& p) { return p.all; });
 }
 

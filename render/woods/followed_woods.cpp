@@ -329,9 +329,10 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
     const glm::vec2 fall(west - east + north - across, west + east - north - across);
     tree.downhill = glm::length(fall) > 0 ? glm::normalize(glm::vec2(fall.x, fall.y)) : glm::vec2(1, 0);
     tree.vertex = static_cast<std::int32_t>(vertex);
-    tree.snow = world.first_depth.empty() ? 0 : world.first_depth[vertex];
+    tree.snow = tree.snow_near = world.first_depth.empty() ? 0 : world.first_depth[vertex];
     if (world.around && !world.around->empty()) {
         tree.snow = std::max(world.around->cover()[vertex].x, 0.f);
+        tree.snow_near = snow_near(*world.around, tree.vertex);
         tree.lower = world.around->cover()[vertex].y;
     }
     tree.closed = ramp(kClosedFrom, kClosedAt, static_cast<float>(stems_of(stems)));

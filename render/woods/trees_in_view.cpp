@@ -33,6 +33,9 @@ constexpr float kLaid = 1.5f;                // rad, of a tree that lies
 constexpr float kLean = 0.05f,
                 kMostLean = 0.22f;  // tangents: of most trees at most, and of one that stands out
 constexpr float kLeaning = 0.06f;   // share of those
+constexpr float kBare = 0.02f,
+                kSnowy =
+                    0.3f;  // m of snow near a tree: from the first on it carries some, from the second all
 constexpr float kShedInSun = 0.5f;  // share of its snow that a tree on a south slope has lost
 
 // Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
@@ -112,7 +115,7 @@ void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn
 }  // namespace
 
 float snow_kept(const Tree& tree) {
-    return 1 - kShedInSun * std::max(-tree.downhill.y, 0.f);
+    return ramp(kBare, kSnowy, tree.snow_near) * (1 - kShedInSun * std::max(-tree.downhill.y, 0.f));
 }
 
 float lying(const Tree& tree, const FlowSoFar& flow) {

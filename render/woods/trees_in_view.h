@@ -20,7 +20,7 @@ namespace render {
 // count where the world's state knows.
 float lying(const Tree& tree, const FlowSoFar& flow);
 
-// The share of its snow that a tree keeps: the sun takes half of it from one on a south slope.
+// The share of the most snow that a tree carries: 0 where none lies near it, and the sun takes half from one on a south slope.
 float snow_kept(const Tree& tree);
 
 // A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.

@@ -219,6 +219,22 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 
 }  // namespace
 
+float snow_near(const Surroundings& around, std::int32_t vertex) {
+    constexpr double kNear = 25;  // m
+    const int reach = std::clamp(static_cast<int>(kNear / around.cell()), 1, 4), columns = around.columns(),
+              rows = static_cast<int>(around.cover().size()) / columns, x = vertex % columns,
+              y = vertex / columns;
+    float most = 0;
+    for (int j = std::max(y - reach, 0); j <= std::min(y + reach, rows - 1); ++j)
+        for (int i = std::max(x - reach, 0); i <= std::min(x + reach, columns - 1); ++i)
+            most =
+                std::max(most, around
+                                   .cover()[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                            static_cast<std::size_t>(i)]
+                                   .x);
+    return most;
+}
+
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
              std::span<const Clearing> clearings) {
     if (around.empty() || rules.density <= 0) return;
@@ -260,6 +276,9 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
             const bool outside = around.away(at) > 0;
             if (outside) cover += around.cover_by_height(at);
             tree.snow = static_cast<float>(std::max(cover.x, 0.0));
+            const double higher =
+                cover.x - static_cast<double>(around.cover()[static_cast<std::size_t>(vertex)].x);
+            tree.snow_near = std::max(snow_near(around, vertex) + static_cast<float>(higher), 0.f);
             tree.lower = static_cast<float>(glm::clamp(cover.y, 0.0, 1.0));
             tree.vertex = outside ? -1 : vertex;
             grown.push_back({own(x, y, 5), {x, y}, tree});

@@ -321,16 +321,28 @@ TEST_F(WoodInValley, lies_downhill_where_a_flow_was_deep_and_fast) {
 }
 
 TEST_F(WoodInValley, leans_a_little_and_sheds_snow_on_the_sunny_side) {
+    // Snow but for a strip of bare rock, and none in the east.
+    for (int y = 0; y < world.grid.ny; ++y)
+        for (int x = 0; x < 70; ++x) world.depth(x, y) = x >= 30 && x < 33 ? 0.f : 1.f;
     const Woods all = woods();
+    int on_rock = 0, in_the_east = 0;
     std::size_t leaning = 0, upright = 0;
     for (const DrawnTree& tree : drawn(all, {{500, 300, 100}, 180, 20, 900, 60})) {
         EXPECT_NEAR(glm::length(glm::vec3(tree.axis)), 1, 1e-5f);
         ++(tree.axis.z < 0.998f ? leaning : upright);
         const bool slopes = std::abs(tree.foot.x - 500) < 500 && tree.foot.y > 0 && tree.foot.y < 880;
         if (!slopes || std::abs(tree.foot.y - 500) < 60) continue;
-        EXPECT_NEAR(tree.kind.w, tree.foot.y > 500 ? 0.5f : 1, 0.1f)
-            << "north of the floor slopes face south";
+        if (tree.foot.x > 740) {
+            ++in_the_east;
+            EXPECT_EQ(tree.kind.w, 0);
+        } else if (tree.foot.x < 700) {
+            if (tree.foot.x > 300 && tree.foot.x < 320) ++on_rock;
+            EXPECT_NEAR(tree.kind.w, tree.foot.y > 500 ? 0.5f : 1, 0.1f)
+                << "north of the floor slopes face south";
+        }
     }
+    EXPECT_GT(on_rock, 5);
+    EXPECT_GT(in_the_east, 20);
     EXPECT_GT(leaning, 5u);
     EXPECT_GT(upright, 10 * leaning);
 }
