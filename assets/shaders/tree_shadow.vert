@@ -17,6 +17,6 @@ void main() {
     strength = tree.shadow.w;
     float texels = float(TREE_TILE_HEIGHT) * distance(tree.foot.xyz, frame.eye.xyz) * frame.material.y / (tree.foot.w * TREE_ABOVE);  // in a sample
     float level = max(floor(log2(texels)) + 1.0, float(TREE_FINEST));
-    picture = vec3(column_of(tree, tree.kind.y > 1.5), level, level > 3.0 ? -1.0 : level - float(TREE_FINEST));
+    picture = vec3(column_of(tree, tree.kind.y > 1.5), level, level > 2.0 ? -1.0 : level - float(TREE_FINEST));
     gl_Position = strength > 0.0 ? frame.clip_from_world * vec4(at, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }
