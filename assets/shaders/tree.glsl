@@ -2,7 +2,7 @@
 struct Tree {
     vec4 foot;    // m; height, m
     vec4 axis;    // unit vector from foot to top; the tree's own number, 0 to 1
-    vec4 look;    // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
+    vec4 look;    // sunlit 0 to 1; 0; share of the lower material there; half its width, m
     vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
     vec4 kind;    // TREE_*; number of tops, more than one: a group; how closed the wood is around it, 0 to 1; share of the snow that its branches keep, 0 where none fell
 };

@@ -1,3 +1,7 @@
+// As in render/frame/make_frame_block.cpp.
+const kFinishedRows = 1440;
+const kMostCoarse = 1.5;
+
 // The uniforms of the frame: the bytes that the program has sent along, with what changes from picture to picture.
 class FrameBlock {
     constructor(gpu, slide, slots) {
@@ -40,8 +44,8 @@ class FrameBlock {
         this.floats('ray_right').set(right);
         this.floats('ray_up').set(up);
         this.floats('material').set([pixel, samples], 1);
-        const rows = 2 * Math.hypot(...up) / pixel, finished = 1440;  // of samples, as in make_frame_block.cpp
-        this.floats('lower_rolling').set([Math.min(Math.max(Math.log2(finished / rows), 0), 1.5)], 3);
+        const rows = 2 * Math.hypot(...up) / pixel;  // of samples
+        this.floats('lower_rolling').set([Math.min(Math.max(Math.log2(kFinishedRows / rows), 0), kMostCoarse)], 3);
     }
 
     // `overlay`: of slide.info.overlays, or null; `stops`: four numbers each.

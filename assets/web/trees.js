@@ -124,7 +124,7 @@ class TreesInView {
         this.standing.forEach(({i, height, half, tops, shadow}, number) => {
             const at = kTreeNumbers * number, tip = shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0];
             this.first.set([this.x[i], this.y[i], this.z[i], height, ...this.upright(i), this.chance[i],
-                            this.sun[i], this.snow[i], this.lower ? this.lower[i] : 0, half, ...tip, shadow,
+                            this.sun[i], 0, this.lower ? this.lower[i] : 0, half, ...tip, shadow,
                             this.kind[i], tops, this.closed[i], this.keeps[i]], at);
             const vertex = Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx);
             if (this.on[i]) this.onGrid.push({i, at, vertex});

@@ -177,7 +177,7 @@ class App {
         std::optional<Probe> probe;
         SlideFront front;
         std::optional<Shots> shots;  // while the opening is watched
-        double earth_before = 0;  // m³ in use when the stroke began
+        double earth_before = 0;     // m³ in use when the stroke began
         Results results;
         GoalLines goal_lines;
         DamLines dam_lines;

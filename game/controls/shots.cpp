@@ -15,14 +15,14 @@
 namespace game {
 namespace {
 
-constexpr std::size_t kCloseShots = 3;              // between the two of the whole
-constexpr double kWholeLasts = 4, kCloseLasts = 6;  // s, the first shot and those that follow
-constexpr double kLeastShot = 1.5,
-                 kLostFor = 0.5;     // s, of a shot, and that the front is out of view until it ends
-constexpr double kMiddle = 0.85;     // of the half image, in which the front must be
-constexpr double kLooksAhead = 110;  // m before the front, where a camera looks
-constexpr double kEyeAway = 330, kEyeElevation = 9;           // m, degrees: of the eye from there
-constexpr double kShotFieldOfView = 48;                       // degrees
+constexpr std::size_t kCloseShots = 3;               // between the two of the whole
+constexpr double kWholeLasts = 4, kCloseLasts = 6;   // s, the first shot and those that follow
+constexpr double kLeastShot = 1.5;                   // s, of a shot
+constexpr double kLostFor = 0.5;                     // s, that the front is out of view until a shot ends
+constexpr double kMiddle = 0.85;                     // of the half image, in which the front must be
+constexpr double kLooksAhead = 110;                  // m before the front, where a camera looks
+constexpr double kEyeAway = 330, kEyeElevation = 9;  // m, degrees: of the eye from there
+constexpr double kShotFieldOfView = 48;              // degrees
 constexpr std::array<double, 4> kEyeAside{40, 65, 20, 90};    // degrees from the heading, in order of liking
 constexpr std::array<double, 4> kPathAhead{0, 80, 160, 240};  // m before the front, which a camera should see
 

@@ -27,7 +27,9 @@ constexpr double kWidestFlowTile = 130;  // m; the largest blocks on it are some
 // ground at rest.
 constexpr float kCoarser = 1.3f;
 constexpr double kFinishedRows = 1440;  // samples, of a finished image of 1280×720 pixels
-constexpr double kHazeLength = 24000;   // m, in which clear mountain air keeps 1/e of green light
+constexpr double kMostCoarse =
+    1.5;  // levels of detail that a coarser image is coarser, at most: beyond, cover would not cover as much
+constexpr double kHazeLength = 24000;  // m, in which clear mountain air keeps 1/e of green light
 constexpr double kWideView =
     3000;  // m, side of a terrain from which on the air is drawn clearer in proportion
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
@@ -139,7 +141,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling =
         glm::dvec4(glm::dvec3(look.lower_rolling),
-                   std::clamp(std::log2(kFinishedRows / (input.height * samples)), 0.0, 1.5));
+                   std::clamp(std::log2(kFinishedRows / (input.height * samples)), 0.0, kMostCoarse));
     if (look.turf) block.turf = glm::vec4(*look.turf, 1);
     if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);

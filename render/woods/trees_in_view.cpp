@@ -188,7 +188,7 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
                 of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)));
             upright_.push_back({{{tree.foot, height},
                                  {upright(tree), tree.chance},
-                                 {of.lights[i].sunlit, tree.snow, tree.lower, half},
+                                 {of.lights[i].sunlit, 0, tree.lower, half},
                                  {of.lights[i].tip, shadow},
                                  {static_cast<float>(tree.kind), group ? std::round(together) : 1,
                                   tree.closed, snow_kept(tree)}},

@@ -25,9 +25,9 @@ float snow_kept(const Tree& tree);
 
 // A tree, or a group of some, as the GPU draws it: an element of SLOT_TREES, as in tree.glsl.
 struct DrawnTree {
-    glm::vec4 foot;  // m; height, m
-    glm::vec4 axis;  // unit vector from foot to top; its own number, 0 to 1
-    glm::vec4 look;  // sunlit 0 to 1; snow around it, m; share of the lower material there; half its width, m
+    glm::vec4 foot;    // m; height, m
+    glm::vec4 axis;    // unit vector from foot to top; its own number, 0 to 1
+    glm::vec4 look;    // sunlit 0 to 1; 0; share of the lower material there; half its width, m
     glm::vec4 shadow;  // m, where the shadow of its top meets the ground; strength of the shadow, 0 to 1
     glm::vec4
         kind;  // TreeKind; number of tops; how closed the wood is around it, 0 to 1; share of snow that branches keep

@@ -222,8 +222,7 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 float snow_near(const Surroundings& around, std::int32_t vertex) {
     constexpr double kNear = 25;  // m
     const int reach = std::clamp(static_cast<int>(kNear / around.cell()), 1, 4), columns = around.columns(),
-              rows = static_cast<int>(around.cover().size()) / columns, x = vertex % columns,
-              y = vertex / columns;
+              rows = around.rows(), x = vertex % columns, y = vertex / columns;
     float most = 0;
     for (int j = std::max(y - reach, 0); j <= std::min(y + reach, rows - 1); ++j)
         for (int i = std::max(x - reach, 0); i <= std::min(x + reach, columns - 1); ++i)

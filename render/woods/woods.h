@@ -44,13 +44,13 @@ enum class TreeFate : std::int32_t {
 
 // A conifer where it grew, or outside the grid a group of them. Space as in shaders.
 struct Tree {
-    glm::vec3 foot;      // m, on the ground at tick 0
-    float height;        // m
-    glm::vec2 downhill;  // unit vector
-    float chance;        // 0 to 1, its own number, by which trees differ
-    float snow;          // depth of the standing layer at its foot at tick 0, m
-    float snow_near;     // and the greatest within some metres, m: a tree on a bare rock in snow carries some
-    float lower;         // share of the lower material at the surface of that, 0 to 1
+    glm::vec3 foot;       // m, on the ground at tick 0
+    float height;         // m
+    glm::vec2 downhill;   // unit vector
+    float chance;         // 0 to 1, its own number, by which trees differ
+    float snow;           // depth of the standing layer at its foot at tick 0, m
+    float snow_near;      // and the greatest within some 25 m, m: a tree on a bare rock in snow carries some
+    float lower;          // share of the lower material at the surface of that, 0 to 1
     std::int32_t vertex;  // the grid's vertex nearest to it, row by row from the south; −1 outside the grid
     float closed;         // how closed the wood is around it, 0 to 1
     float group;  // number of trees side by side that it stands for, 1 to kLargestGroup; 1 on the grid
@@ -58,7 +58,7 @@ struct Tree {
     TreeFate fate = TreeFate::kOfFlow;
 };
 
-// The greatest depth of the standing layer within some metres of a vertex at tick 0, m.
+// The greatest depth of the standing layer within some 25 m of a vertex at tick 0, m.
 float snow_near(const Surroundings& around, std::int32_t vertex);
 
 // A place where no tree grows: all within a distance of a line.

@@ -1176,7 +1176,12 @@ TEST_F(FirstMinute, begins_with_a_slide_that_any_key_ends_without_doing_anything
     EXPECT_FALSE(shows("Pause"));
     frames(75);
     EXPECT_FALSE(sim::at_rest(state()));
-    EXPECT_LT(app_->camera().distance_m, 470) << "it follows the front";
+    const render::Camera whole = app_->camera();
+    frames(5 * 60);
+    const render::Camera close = app_->camera();
+    EXPECT_LT(close.distance_m, 0.7 * whole.distance_m) << "a shot of the front";
+    frames(10);
+    EXPECT_EQ(app_->camera(), close) << "a camera that stands";
     tap(Key::kSpace);
     frames(2);
     EXPECT_FALSE(app_->sandbox().watches());
