@@ -1,30 +1,19 @@
 // A tree, or a group of some: its picture, lit.
-layout(binding = SLOT_TREE_PICTURES) uniform sampler2D pictures;  // render/textures/conifer_pictures.h
-
 in vec4 place;
 flat in vec4 dark;
 flat in vec4 white;
 flat in vec4 air;
 out vec4 colour;
 
-// Near the eye texels would show as squares: what is between four of them, and ragged, as needles are. Uncovered ones have
-// no colour.
+// Near the eye texels would show as squares: what is between four of them, and ragged, as needles are.
 vec3 enlarged(vec2 at) {
     uvec2 cell = uvec2(ivec2(floor(4.0 * at)));
     uint own = (cell.x * 0x9E3779B1u) ^ (cell.y * 0x85EBCA77u);
     own = (own ^ (own >> 15)) * 0x2C1B3C6Du;
     own ^= own >> 13;
-    at += (vec2(float(own & 0xFFFFu), float(own >> 16)) / 65535.0 - 0.5) * vec2(0.9, 0.6) - 0.5;
-    ivec2 low = ivec2(floor(at));
-    vec2 share = at - floor(at);
-    vec4 sum = vec4(0.0);
-    for (int k = 0; k < 4; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        vec2 near = mix(1.0 - share, share, vec2(corner));
-        vec3 texel = texelFetch(pictures, low + corner, 0).rgb;
-        if (texel.b > 0.0) sum += near.x * near.y * vec4(texel, 1.0);
-    }
-    return sum.a < 0.5 ? vec3(0.0) : sum.rgb / sum.a;
+    at += (vec2(float(own & 0xFFFFu), float(own >> 16)) / 65535.0 - 0.5) * vec2(0.9, 0.6);
+    vec4 seen = covered_at(at, 0);
+    return seen.a < 0.5 ? vec3(0.0) : seen.rgb / seen.a;
 }
 
 void main() {

@@ -1,25 +1,14 @@
 // The shadow of a tree: what it leaves of the light, as a factor. Its edges are soft, softer toward its tip.
-layout(binding = SLOT_TREE_PICTURES) uniform sampler2D pictures;
-
 in vec2 along;
 flat in vec3 left;
 flat in float strength;
 flat in vec3 picture;
 out vec4 colour;
 
-// Share of a place that the tree's picture covers, smooth between texels.
+// Share of a place that the tree's picture covers.
 float covered() {
     vec2 tile = vec2(TREE_TILE_WIDTH, TREE_TILE_HEIGHT) * exp2(-picture.y);
-    vec2 at = tile * vec2(picture.x + 0.5 + 0.5 * along.x * TREE_SHADOW_WIDTH / TREE_SPARE, along.y / TREE_ABOVE) - 0.5;
-    ivec2 low = ivec2(floor(at));
-    vec2 share = at - floor(at);
-    float sum = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        vec2 near = mix(1.0 - share, share, vec2(corner));
-        if (texelFetch(pictures, max(low + corner, 0), int(picture.z)).b > 0.0) sum += near.x * near.y;
-    }
-    return sum;
+    return covered_at(tile * vec2(picture.x + 0.5 + 0.5 * along.x * TREE_SHADOW_WIDTH / TREE_SPARE, along.y / TREE_ABOVE), int(picture.z)).a;
 }
 
 void main() {

@@ -78,8 +78,8 @@ class Picture {
         const trees = [...light, 'tree.glsl', 'tree_texture.glsl'];
         if (info.arrays['trees.x'])
             Object.assign(this.programs, {
-                treeShadow: add([...trees, 'tree_shadow.vert'], ['slots.glsl', 'tree_shadow.frag']),
-                tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', 'tree_picture.frag']),
+                treeShadow: add([...trees, 'tree_shadow.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_shadow.frag']),
+                tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_picture.frag']),
             });
         if (info.arrays['ridges.x'])
             this.programs.spindrift = add([...light, 'spindrift.vert'],

@@ -70,14 +70,9 @@ std::optional<glm::dvec2> Lookout::on_screen(glm::dvec3 place) const {
 }
 
 std::optional<glm::dvec2> Lookout::seen_on_screen(glm::dvec2 place, const sim::View& world) const {
-    constexpr double kHidden = 0.02;  // of the distance; ground that is met earlier hides a place
     const glm::dvec3 at(place, surface_height(world, place));
     const auto on = on_screen(at);
-    if (!on) return std::nullopt;
-    const glm::dvec3 eye = render::eye(camera());
-    const auto met = render::pick(world, {eye, glm::normalize(at - eye)});
-    const double away = glm::distance(eye, at);
-    if (met && glm::distance(eye, *met) < away * (1 - kHidden)) return std::nullopt;
+    if (!on || render::is_hidden(world, at, render::eye(camera()))) return std::nullopt;
     return on;
 }
 

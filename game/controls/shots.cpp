@@ -32,16 +32,12 @@ glm::dvec3 place_on_ground(glm::dvec2 at, const sim::View& world) {
 
 // Whether the place is in the middle of the image, and no ground before it.
 bool sees(const render::Camera& camera, glm::dvec3 place, const Shots::Seen& seen) {
-    constexpr double kHidden = 0.03;  // of the distance; ground that is met earlier hides a place
     const Sight sight = sight_of(place, camera);
     const double up = std::tan(glm::radians(camera.field_of_view_deg / 2));
     if (sight.depth <= 0 || std::abs(sight.at.x) > kMiddle * up * seen.aspect ||
         std::abs(sight.at.y) > kMiddle * up)
         return false;
-    const glm::dvec3 eye = render::eye(camera);
-    const double away = glm::distance(eye, place);
-    const auto met = render::pick(seen.world, {eye, (place - eye) / away});
-    return !met || glm::distance(eye, *met) > away * (1 - kHidden);
+    return !render::is_hidden(seen.world, place, render::eye(camera));
 }
 
 // Stands ahead of the front and beside its way, on the given side, where most of the way is seen.

@@ -66,9 +66,9 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
                              run * static_cast<std::uint64_t>(use.runs);
     if (use.draws) using_it += grid.size() <= kMostFollowed ? 1020 : 280;
     std::uint64_t bytes = 60 * kMiB + std::max(reading, using_it) * grid.size();
-    if (use.draws) bytes += 236 * kMiB;  // OpenGL by software, shaders, patterns and trees
+    if (use.draws) bytes += 244 * kMiB;  // OpenGL by software, shaders, patterns and trees
     // Trees (render/woods/woods.h): while they are placed, as placed, with their light, and five times as drawn.
-    constexpr std::uint64_t kPerTree = 2 * 72 + 60 + 16 + 5 * 80;
+    constexpr std::uint64_t kTree = sizeof(render::Tree), kPerTree = 2 * (kTree + 12) + kTree + 16 + 5 * 80;
     if (use.draws) bytes += kPerTree * render::Woods::kMost;
     bytes += frame_bytes(use.frames);
     // Per vertex as measured on 2048 by 2048 squares; mountains and trees around, and a page of 32 MB with its parts.

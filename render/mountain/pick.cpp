@@ -132,4 +132,11 @@ std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray) {
     return std::nullopt;
 }
 
+bool is_hidden(const sim::View& world, glm::dvec3 place, glm::dvec3 eye) {
+    constexpr double kEarly = 0.02;  // of the distance
+    const double away = glm::distance(eye, place);
+    const auto met = pick(world, {eye, (place - eye) / away});
+    return met && glm::distance(eye, *met) < away * (1 - kEarly);
+}
+
 }  // namespace render

@@ -24,4 +24,7 @@ Ray ray_through(const Camera& camera, double aspect, glm::dvec2 point);
 // what points at its walls or its roof finds it.
 std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray);
 
+// Whether ground between a place and the eye hides it. One that lies on the ground may be met a fiftieth of the way early.
+bool is_hidden(const sim::View& world, glm::dvec3 place, glm::dvec3 eye);
+
 }  // namespace render

@@ -52,7 +52,7 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
             assets / "shaders",
             {{GL_VERTEX_SHADER,
               {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
-             {GL_FRAGMENT_SHADER, {"slots.glsl", fragment}}});
+             {GL_FRAGMENT_SHADER, {"slots.glsl", "tree_covered.glsl", fragment}}});
     };
     TreesPass pass;
     pass.no_vertices_ = make_vertex_array();

@@ -332,7 +332,7 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
     tree.snow = tree.snow_near = world.first_depth.empty() ? 0 : world.first_depth[vertex];
     if (world.around && !world.around->empty()) {
         tree.snow = std::max(world.around->cover()[vertex].x, 0.f);
-        tree.snow_near = snow_near(*world.around, tree.vertex);
+        tree.snow_near = snow_near(*world.around, glm::dvec2(tree.foot));
         tree.lower = world.around->cover()[vertex].y;
     }
     tree.closed = ramp(kClosedFrom, kClosedAt, static_cast<float>(stems_of(stems)));

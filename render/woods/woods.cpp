@@ -219,19 +219,20 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 
 }  // namespace
 
-float snow_near(const Surroundings& around, std::int32_t vertex) {
+float snow_near(const Surroundings& around, glm::dvec2 at) {
     constexpr double kNear = 25;  // m
-    const int reach = std::clamp(static_cast<int>(kNear / around.cell()), 1, 4), columns = around.columns(),
-              rows = around.rows(), x = vertex % columns, y = vertex / columns;
+    const int reach = std::clamp(static_cast<int>(kNear / around.cell()), 1, 4);
+    const glm::ivec2 vertex(glm::round(around.source(at) / around.cell())),
+        last(around.columns() - 1, around.rows() - 1), from = glm::max(vertex - reach, 0),
+                                                       to = glm::min(vertex + reach, last);
     float most = 0;
-    for (int j = std::max(y - reach, 0); j <= std::min(y + reach, rows - 1); ++j)
-        for (int i = std::max(x - reach, 0); i <= std::min(x + reach, columns - 1); ++i)
-            most =
-                std::max(most, around
-                                   .cover()[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
-                                            static_cast<std::size_t>(i)]
-                                   .x);
-    return most;
+    for (int y = from.y; y <= to.y; ++y)
+        for (const glm::vec2& cover :
+             around.cover().subspan(static_cast<std::size_t>(y * around.columns() + from.x),
+                                    static_cast<std::size_t>(to.x - from.x + 1)))
+            most = std::max(most, cover.x);
+    if (around.away(at) > 0) most += static_cast<float>(around.cover_by_height(at).x);
+    return std::max(most, 0.f);
 }
 
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
@@ -275,9 +276,6 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
             const bool outside = around.away(at) > 0;
             if (outside) cover += around.cover_by_height(at);
             tree.snow = static_cast<float>(std::max(cover.x, 0.0));
-            const double higher =
-                cover.x - static_cast<double>(around.cover()[static_cast<std::size_t>(vertex)].x);
-            tree.snow_near = std::max(snow_near(around, vertex) + static_cast<float>(higher), 0.f);
             tree.lower = static_cast<float>(glm::clamp(cover.y, 0.0, 1.0));
             tree.vertex = outside ? -1 : vertex;
             grown.push_back({own(x, y, 5), {x, y}, tree});
@@ -294,6 +292,7 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     for (const Grown& each : grown) {
         trees_.push_back(each.tree);
         trees_.back().group = std::min(trees_.back().group * together, kMostTogether);
+        trees_.back().snow_near = snow_near(around, glm::dvec2(each.tree.foot));
     }
     sort_into_tiles(around.side() / kTilesAlongSide);
     put_on_mesh(around);

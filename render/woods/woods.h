@@ -58,8 +58,8 @@ struct Tree {
     TreeFate fate = TreeFate::kOfFlow;
 };
 
-// The greatest depth of the standing layer within some 25 m of a vertex at tick 0, m.
-float snow_near(const Surroundings& around, std::int32_t vertex);
+// The greatest depth of the standing layer within some 25 m of a place at tick 0, m.
+float snow_near(const Surroundings& around, glm::dvec2 at);
 
 // A place where no tree grows: all within a distance of a line.
 struct Clearing {
