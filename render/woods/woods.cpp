@@ -225,11 +225,12 @@ float snow_near(const Surroundings& around, glm::dvec2 at) {
     const glm::ivec2 vertex(glm::round(around.source(at) / around.cell())),
         last(around.columns() - 1, around.rows() - 1), from = glm::max(vertex - reach, 0),
                                                        to = glm::min(vertex + reach, last);
+    const auto columns = static_cast<std::size_t>(around.columns()), first = static_cast<std::size_t>(from.x),
+               across = static_cast<std::size_t>(to.x) + 1 - first;
     float most = 0;
     for (int y = from.y; y <= to.y; ++y)
         for (const glm::vec2& cover :
-             around.cover().subspan(static_cast<std::size_t>(y * around.columns() + from.x),
-                                    static_cast<std::size_t>(to.x - from.x + 1)))
+             around.cover().subspan(static_cast<std::size_t>(y) * columns + first, across))
             most = std::max(most, cover.x);
     if (around.away(at) > 0) most += static_cast<float>(around.cover_by_height(at).x);
     return std::max(most, 0.f);
