@@ -38,6 +38,7 @@ constexpr Room kRooms[] = {
     {"game/analysis", 3, "analysis", "run-out, exports"},
     {"game/pages", 5, "pages", "tables and plots"},
     {"game/ui", 8, "ui", "panels"},
+    {"game/live", 10, "live", "a page that plays"},
     {"game/controls", 8, "controls", "input, brush, cameras"},
     {"game/session", 5, "session", "a running world, undo"},
     {"game/recording", 5, "recording", "recorder, reader"},
@@ -81,8 +82,8 @@ struct Panel {
 
 constexpr int kBoxWidth = 150, kBoxHeight = 36, kFloor = 56, kColumn = 80;
 constexpr int kPad = 14, kHeading = 32, kGap = 40;
-constexpr int kTop = 92, kLeft = 24, kRight = kLeft + 5 * kPad + 6 * kColumn + 2 * kBoxWidth;
-constexpr int kWaysLeft = kRight + 30, kWidth = 1200;
+constexpr int kTop = 92, kLeft = 24, kRight = kLeft + 5 * kPad + 8 * kColumn + 2 * kBoxWidth;
+constexpr int kWaysLeft = kRight + 30, kWidth = 1360;
 
 // A stop of a way, in the files that do its work.
 struct Stop {

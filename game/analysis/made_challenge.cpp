@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "game/recording/command_source.h"
+#include "game/recording/recording_file.h"
 
 namespace game {
 namespace {
@@ -222,7 +223,7 @@ std::vector<TimedCommand> all_of(const Goal& goal, const History& history) {
 Outcome<void> record_try(const Scenario& scenario, const std::vector<TimedCommand>& commands,
                          const sim::StepOptions& options, const fs::path& file,
                          const std::atomic<bool>& stop) {
-    auto recorder = Recorder::create(file, scenario);
+    auto recorder = record_into(file, scenario);
     if (!recorder) return tl::unexpected(recorder.error());
     auto played = play_try(scenario, commands, options, std::move(*recorder), stop);
     if (!played) return tl::unexpected(played.error());

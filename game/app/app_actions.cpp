@@ -15,6 +15,7 @@
 #include "game/files/recordings_folder.h"
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/goal_reach.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/surface.h"
@@ -335,7 +336,7 @@ void App::take_over() {
     time_.run_on();
     time_.begin_epoch();
     const double seconds = sandbox_->session().seconds();
-    auto taken = sandbox_->take_over(path ? std::optional(*path) : std::nullopt);
+    auto taken = sandbox_->take_over(into_file(path ? std::optional(*path) : std::nullopt));
     if (!path) taken = tl::unexpected(path.error());
     list_own();
     if (!taken) {
@@ -376,7 +377,8 @@ void App::share() {
     const Scenario& scenario = sandbox_->scenario();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
         return warn(fmt::format("This slide cannot be shared: {}", fits.error()));
-    const auto begun = sandbox_->recorded_so_far().and_then([&](std::string&& recorded) {
+    auto text = sandbox_->watches() ? watched_text(sandbox_->opening()) : sandbox_->recorded_so_far();
+    const auto begun = std::move(text).and_then([&](std::string&& recorded) {
         return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera()});
     });
     open_.results.set_may_share(false);
@@ -458,7 +460,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);
     if (!recorder) return tl::unexpected(recorder.error());
     std::optional<std::filesystem::path> recording;
-    if (*recorder) recording = (*recorder)->path();
+    if (*recorder) recording = (*recorder)->name();
     auto begun = Sandbox::begin(loaded, options_, std::move(*recorder));
     if (!begun && recording && !record) {
         warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
@@ -515,8 +517,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
 Outcome<std::optional<Recorder>> App::begin_recording(const Scenario& scenario,
                                                       const std::optional<std::filesystem::path>& wanted) {
     const auto path = wanted ? Outcome<std::filesystem::path>(*wanted) : next_recording(scenario.scene);
-    auto recorder =
-        path ? Recorder::create(*path, scenario) : Outcome<Recorder>(tl::unexpected(path.error()));
+    auto recorder = path ? record_into(*path, scenario) : Outcome<Recorder>(tl::unexpected(path.error()));
     // A file given with --record must be writable. The default recording is optional.
     if (!recorder && wanted) return tl::unexpected(recorder.error());
     if (!recorder) {

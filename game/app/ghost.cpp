@@ -7,7 +7,7 @@
 
 #include "game/analysis/score.h"
 #include "game/recording/command_source.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 
 namespace game {
 namespace {

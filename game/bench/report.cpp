@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include "game/base/one_line.h"
+#include "game/scene/memory.h"
 
 namespace game {
 namespace {
-
-constexpr double kMiB = 1 << 20;
 
 // Three significant digits: "0.0123", "1.23", "123".
 std::string ms_text(double ms) {
@@ -53,7 +52,7 @@ Table times_table(const BenchReport& report) {
              ms_text(f.tick.p95), ms_text(f.tick.p99), of_frame(f.frame.median), of_frame(f.frame.p95),
              of_frame(f.frame.p99), fmt::format("{:.0f}", f.frames_per_s()), percent(f.slow),
              percent((each.slowest_by_fastest - 1) / 2), fmt::format("{:.0f}", bytes_per_vertex(each)),
-             fmt::format("{:.0f}", static_cast<double>(each.peak_bytes) / kMiB)});
+             fmt::format("{:.0f}", static_cast<double>(each.peak_bytes) / static_cast<double>(kMiB))});
     }
     return table;
 }

@@ -10,6 +10,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 
 namespace game {

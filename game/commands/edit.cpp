@@ -7,6 +7,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/command_source.h"
+#include "game/recording/recording_file.h"
 #include "sim/initial_state.h"
 
 namespace game {
@@ -43,7 +44,7 @@ Outcome<int> edit(const EditOptions& options) {
     made.recording.header.scenario = scenario;
     made.recording.header.parent = Parent{old->name, options.edit.tick, changed->change};
     made.recording.commands = std::move(changed->commands);
-    auto recorder = Recorder::create(options.out, made.recording.header, Recorder::Replaces::kWhenDone);
+    auto recorder = record_into(options.out, made.recording.header, RecordingReplaces::kWhenDone);
     if (!recorder) return tl::unexpected(recorder.error());
 
     const auto before =

@@ -5,6 +5,7 @@
 #include "game/commands/commands.h"
 #include "game/compare/comparison.h"
 #include "game/files/file_use.h"
+#include "game/recording/recording_file.h"
 #include "game/session/verifier.h"
 
 namespace game {
@@ -25,7 +26,7 @@ Outcome<int> normalise(const NormaliseOptions& options) {
     FileUse use;
     if (auto sound = use.reads(old->path).writes("--out", options.out).check(); !sound)
         return tl::unexpected(sound.error());
-    auto recorder = Recorder::create(options.out, rewritten, Recorder::Replaces::kWhenDone);
+    auto recorder = record_into(options.out, rewritten, RecordingReplaces::kWhenDone);
     if (!recorder) return tl::unexpected(recorder.error());
 
     auto session = Session::begin(header.scenario, options.step_options, std::move(*recorder));

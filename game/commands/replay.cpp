@@ -11,6 +11,7 @@
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
 #include "game/recording/file_hash.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "game/session/verifier.h"
 #include "game/share/share_recording.h"

@@ -12,6 +12,7 @@
 #include "game/files/file_use.h"
 #include "game/files/text_file.h"
 #include "game/recording/command_source.h"
+#include "game/recording/recording_file.h"
 #include "game/session/world_now.h"
 #include "game/share/share_recording.h"
 #include "terrains/release.h"
@@ -57,7 +58,7 @@ Outcome<Outputs> open_outputs(const RunOptions& options, const Scenario& scenari
         if (auto placed = make_place_for(*options.save_world); !placed) return tl::unexpected(placed.error());
     if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
     if (!options.record) return outputs;
-    auto recorder = Recorder::create(*options.record, scenario);
+    auto recorder = record_into(*options.record, scenario);
     if (!recorder) return tl::unexpected(recorder.error());
     if (auto begun = session.record_from_start(std::move(*recorder)); !begun)
         return tl::unexpected(begun.error());
@@ -137,8 +138,8 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
 Failure with_replaced(Failure failure, const Session& session) {
     if (session.recorder() && session.recorder()->replaced())
         failure.sentence +=
-            fmt::format("; what {} held before is kept as {}", session.recorder()->path().string(),
-                        session.recorder()->replaced()->string());
+            fmt::format("; what {} held before is kept as {}", session.recorder()->name(),
+                        *session.recorder()->replaced());
     return failure;
 }
 

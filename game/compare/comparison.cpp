@@ -15,6 +15,7 @@
 #include "game/files/text_file.h"
 #include "game/pages/table.h"
 #include "game/recording/divergence_report.h"
+#include "game/recording/recording_file.h"
 #include "game/recording/scenario_difference.h"
 #include "terrains/export.h"
 

@@ -10,7 +10,7 @@
 #include "game/analysis/measures.h"
 #include "game/base/limits.h"
 #include "game/recording/format.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "terrains/json_reader.h"
 
 namespace game {
@@ -91,7 +91,7 @@ Outcome<PlayedMember> play_member(const EnsembleSpec& spec, std::int64_t number,
     auto session = Session::begin(*scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     if (record) {
-        auto recorder = Recorder::create(*record, *scenario);
+        auto recorder = record_into(*record, *scenario);
         if (!recorder) return tl::unexpected(recorder.error());
         if (auto begun = session->record_from_start(std::move(*recorder)); !begun)
             return tl::unexpected(begun.error());

@@ -6,7 +6,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 
 namespace game {

@@ -8,7 +8,7 @@
 #include "game/files/assets.h"
 #include "game/python/runs.h"
 #include "game/python/world.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/verifier.h"
 
 namespace game::python {

@@ -8,7 +8,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/recording/format.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
 #include "sim/named_fields.h"
 #include "terrains/limits.h"
@@ -89,8 +89,8 @@ void World::record(const std::filesystem::path& file) {
     if (session().state().tick != 0)
         throw refusal("a recording begins with its world: record() comes before the first step");
     if (session_.recorder() != nullptr)
-        throw refusal(fmt::format("it is recorded already, in {}", session_.recorder()->path().string()));
-    value_of(session_.record_from_start(value_of(Recorder::create(file, scenario()))));
+        throw refusal(fmt::format("it is recorded already, in {}", session_.recorder()->name()));
+    value_of(session_.record_from_start(value_of(record_into(file, scenario()))));
 }
 
 void World::finish() {

@@ -1,13 +1,12 @@
 #include "game/recording/reader.h"
 
 #include <algorithm>
-#include <fstream>
+#include <istream>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "files/input.h"
 #include "game/base/limits.h"
 #include "game/recording/chain.h"
 #include "terrains/json_reader.h"
@@ -211,12 +210,6 @@ Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const st
 
 Outcome<Recording> read_recording(std::istream& stream, const std::string& name, const Memory& memory) {
     return Reader(stream, name, memory).read();
-}
-
-Outcome<Recording> read_recording(const std::filesystem::path& path, const Memory& memory) {
-    auto file = files::open_input(path);
-    if (!file) return unusable(file.error());
-    return read_recording(*file, path.string(), memory);
 }
 
 }  // namespace game

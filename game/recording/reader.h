@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -31,8 +30,7 @@ Outcome<void> check_tick(const Recording& recording, std::int64_t tick, const st
 // an error that names the line, and so is a terrain that `memory` does not allow. A line
 // that names a tick more than ticks_per_state after the last state line is damage, because
 // states between them are missing. A fork may have no states before its parent's tick.
-Outcome<Recording> read_recording(const std::filesystem::path& path, const Memory& memory = {});
-// The same from a seekable stream; error messages start with `name`.
+// The stream is seekable; error messages start with `name`.
 Outcome<Recording> read_recording(std::istream& stream, const std::string& name, const Memory& memory = {});
 
 }  // namespace game

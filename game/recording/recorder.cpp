@@ -1,53 +1,49 @@
 #include "game/recording/recorder.h"
 
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "files/input.h"
 #include "game/base/limits.h"
 
 namespace game {
 namespace {
 
-tl::unexpected<Failure> cannot_write(const std::filesystem::path& path) {
-    return machine_fails(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
-}
+class MemoryStore final : public RecordingStore {
+  public:
+    explicit MemoryStore(std::string name) : name_(std::move(name)) {}
+
+    Outcome<void> write(std::string_view line, bool /*is_header*/) override {
+        bytes_ += line;
+        return {};
+    }
+    Outcome<void> cut(std::int64_t bytes) override {
+        bytes_.resize(static_cast<std::size_t>(bytes));
+        return {};
+    }
+    Outcome<std::string> read(std::int64_t bytes) const override {
+        return bytes_.substr(0, static_cast<std::size_t>(bytes));
+    }
+    Outcome<void> end() override { return {}; }
+    std::string name() const override { return name_; }
+    Open again() const override { return in_memory(name_); }
+
+  private:
+    std::string name_, bytes_;
+};
 
 }  // namespace
 
-Outcome<void> Recorder::open(Replaces replaces) {
-    using Fault = files::GrowingFile::Fault;
-    replaces_ = replaces;
-    std::error_code error;
-    if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
-    switch (to_.open(path_, replaces)) {
-        case Fault::kNone:
-            return {};
-        case Fault::kSystem:
-            return cannot_write(path_);
-        case Fault::kBeingWritten:
-            break;
-    }
-    return machine_fails(
-        fmt::format("{}: another program is recording into it; close that program, or choose another file",
-                    path_.string()));
+RecordingStore::Open in_memory(std::string name) {
+    return [name = std::move(name)]() -> Outcome<std::unique_ptr<RecordingStore>> {
+        return std::make_unique<MemoryStore>(name);
+    };
 }
 
-Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Scenario& scenario,
-                                   std::optional<Parent> parent) {
-    Header header;
-    header.scenario = scenario;
-    header.parent = std::move(parent);
-    return create(path, header);
-}
-
-Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Header& header,
-                                   Replaces replaces) {
-    Recorder recorder(path);
-    if (auto opened = recorder.open(replaces); !opened) return tl::unexpected(opened.error());
+Outcome<Recorder> Recorder::create(const RecordingStore::Open& open, const Header& header) {
+    auto store = open();
+    if (!store) return tl::unexpected(store.error());
+    Recorder recorder(std::move(*store));
     // A file name may be invalid UTF-8, but a recording must be valid.
     recorder.line_ = to_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
     if (const auto written = recorder.write_line(); !written) return tl::unexpected(written.error());
@@ -55,7 +51,7 @@ Outcome<Recorder> Recorder::create(const std::filesystem::path& path, const Head
     return recorder;
 }
 
-Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Recording& of,
+Outcome<Recorder> Recorder::fork(const RecordingStore::Open& open, const Recording& of,
                                  const std::string& name, std::int64_t tick) {
     const bool comparable = is_comparable(of.header);
     if (!comparable && tick > kMostTicksOfParent)
@@ -63,7 +59,10 @@ Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Record
             fmt::format("{} was recorded with another version of the physics, so it cannot be continued "
                         "after tick {}; use couloir normalise first",
                         name, kMostTicksOfParent));
-    auto recorder = create(path, of.header.scenario, Parent{name, tick});
+    Header header;
+    header.scenario = of.header.scenario;
+    header.parent = Parent{name, tick};
+    auto recorder = create(open, header);
     if (!recorder) return recorder;
     auto state = of.states.begin();
     // A command applies at the start of its tick, so it follows that tick's state line.
@@ -84,47 +83,33 @@ Outcome<Recorder> Recorder::fork(const std::filesystem::path& path, const Record
 
 Outcome<void> Recorder::command(const TimedCommand& command) {
     write(command, line_);
-    return add_line();
+    return write_line();
 }
 Outcome<void> Recorder::state(const StateLine& line) {
     write(line, line_);
-    if (auto written = add_line(); !written) return written;
+    if (auto written = write_line(); !written) return written;
     mark_.last_state = line.tick;
     return {};
 }
 Outcome<void> Recorder::claim(const ClaimLine& line) {
     write(line, line_);
-    return add_line();
+    return write_line();
 }
 Outcome<void> Recorder::end(std::int64_t tick) {
     write(EndLine{tick}, line_);
     if (auto written = write_line(); !written) return written;
-    if (!to_.file().settle()) return cannot_write(path_);
-    return appear();
-}
-
-Outcome<void> Recorder::add_line() {
-    if (auto written = write_line(); !written) return written;
-    return replaces_ == Replaces::kAsItGrows ? appear() : Outcome<void>();
-}
-
-Outcome<void> Recorder::appear() {
-    if (!to_.appear()) return cannot_write(path_);
-    return {};
+    return store_->end();
 }
 
 Outcome<std::string> Recorder::copy_ended_at(std::int64_t tick, const StateLine* last) const {
-    auto file = files::open_input(to_.place());
-    if (!file) return machine_fails(file.error());
-    std::string copy(static_cast<std::size_t>(mark_.bytes), '\0');
-    if (!file->read(copy.data(), mark_.bytes))
-        return machine_fails(fmt::format("{}: has lost what was recorded into it", path_.string()));
+    auto copy = store_->read(mark_.bytes);
+    if (!copy) return copy;
     Chain chain = mark_.chain;
     std::string text;
     const auto add = [&](const auto& line) {
         write(line, text);
         chain.close(text);
-        copy += text + '\n';
+        *copy += text + '\n';
         text.clear();
     };
     if (last) add(*last);
@@ -133,7 +118,7 @@ Outcome<std::string> Recorder::copy_ended_at(std::int64_t tick, const StateLine*
 }
 
 Outcome<void> Recorder::rewind(const Mark& mark) {
-    if (!to_.file().cut(static_cast<off_t>(mark.bytes))) return cannot_write(path_);
+    if (auto done = store_->cut(mark.bytes); !done) return done;
     mark_ = mark;
     return {};
 }
@@ -143,15 +128,10 @@ Outcome<void> Recorder::write_line() {
     after.chain.close(line_);
     line_ += '\n';
     after.bytes += static_cast<std::int64_t>(line_.size());
-    const bool whole = to_.file().write(line_);
+    auto written = store_->write(line_, mark_.bytes == 0);
     line_.clear();
-    if (!whole) {
-        const auto failed = cannot_write(path_);
-        if (to_.regular()) static_cast<void>(to_.file().cut(static_cast<off_t>(mark_.bytes)));
-        return failed;
-    }
-    mark_ = after;
-    return {};
+    if (written) mark_ = after;
+    return written;
 }
 
 }  // namespace game

@@ -12,6 +12,8 @@
 
 namespace game {
 
+inline constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;  // bytes
+
 // The most vertices of a grid whose fronts and textures are tracked.
 inline constexpr std::size_t kMostFollowed = 900'000;
 
@@ -36,6 +38,8 @@ struct WorldUse {
 std::uint64_t machine_memory();  // bytes
 // Memory of the buffers of a frame, and of images on their way to a file, bytes.
 std::uint64_t frame_bytes(const FrameUse& frames);
+// Of everything that is drawn with, but for what it takes per vertex, bytes.
+std::uint64_t drawing_bytes(const WorldUse& use);
 
 // How much memory a world may take, and for what. A grid is checked before memory is allocated for it.
 struct Memory {

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "game/files/assets.h"
+#include "game/files/text_file.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/goal_reach.h"
 #include "terrains/geojson.h"
 
@@ -94,6 +96,11 @@ render::TreeRules woods_of_hill(const Scenario& scenario) {
     if (const auto place = scenario.georeference.to_lat_lon({east / 2, north / 2}))
         rules.line_m = std::clamp(kLine - kFall * (std::abs(place->latitude) - kAlps), kLowest, kHighest);
     return rules;
+}
+
+Outcome<std::string> watched_text(const LoadedWorld& world) {
+    if (!world.watched || world.scene.files.empty()) return unusable("nothing is watched");
+    return read_text(world.scene.files.front());
 }
 
 bool is_world(const Recording& recording) {

@@ -18,6 +18,9 @@ struct LoadedWorld {
     Memory memory;                     // the limits under which it was opened
 };
 
+// The text of the recording that is watched. Errors: its file cannot be read, or nothing is watched.
+Outcome<std::string> watched_text(const LoadedWorld& world);
+
 // Whether nothing was done in a recording, and no time passed: it is a world to play in, not a session to watch.
 bool is_world(const Recording& recording);
 

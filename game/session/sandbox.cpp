@@ -1,12 +1,12 @@
 #include "game/session/sandbox.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "game/files/text_file.h"
 
 namespace game {
 namespace {
@@ -16,6 +16,19 @@ constexpr std::size_t kHandMemory = 4096;  // commands reserved, so that a strok
 
 void forget_from(std::vector<TimedCommand>& commands, std::int64_t tick) {
     commands.resize(commands_before(commands, tick).size());
+}
+
+// What was recorded so far, as a reader has it.
+Outcome<Recording> read_again(const Recorder& recorder, const Memory& memory) {
+    auto text = recorder.text();
+    if (!text) return tl::unexpected(text.error());
+    std::istringstream stream(std::move(*text));
+    return read_recording(stream, recorder.name(), memory);
+}
+
+// "mine" of "recordings/mine.couloir".
+std::string stem_of(const std::string& name) {
+    return std::filesystem::path(name).stem().string();
 }
 
 }  // namespace
@@ -59,27 +72,24 @@ Outcome<bool> Sandbox::go_toward(std::int64_t tick, const std::function<bool()>&
     return true;
 }
 
-Outcome<Recorder> Sandbox::fork_in(const std::filesystem::path& path) const {
+Outcome<Recorder> Sandbox::fork(const RecordingStore::Open& open) const {
     const std::int64_t tick = session_.state().tick;
-    if (const auto& watched = opening_.watched) return Recorder::fork(path, *watched, opening_.name, tick);
-    const std::filesystem::path own = session_.recorder()->path();
-    const auto recorded = read_recording(own, opening_.memory);
+    if (const auto& watched = opening_.watched) return Recorder::fork(open, *watched, opening_.name, tick);
+    const auto recorded = read_again(*session_.recorder(), opening_.memory);
     if (!recorded) return tl::unexpected(recorded.error());
-    return Recorder::fork(path, *recorded, own.stem().string(), tick);
+    return Recorder::fork(open, *recorded, stem_of(session_.recorder()->name()), tick);
 }
 
-Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& path) {
+Outcome<void> Sandbox::take_over(const RecordingStore::Open& open) {
     Outcome<void> told;
     if (opening_.watched || session_.recorder()) {
         told = session_.finish();
-        auto fork = !told  ? Outcome<Recorder>(tl::unexpected(told.error()))
-                    : path ? fork_in(*path)
-                           : unusable("no file to record to");
-        if (fork) {
-            session_.record_in(std::move(*fork));
+        auto forked = told.and_then([&] { return fork(open); });
+        if (forked) {
+            session_.record_in(std::move(*forked));
         } else {
             session_.stop_recording();
-            told = tl::unexpected(fork.error());
+            told = tl::unexpected(forked.error());
         }
     }
     if (opening_.watched) forget_from(opening_.scene.commands, session_.state().tick);
@@ -88,7 +98,7 @@ Outcome<void> Sandbox::take_over(const std::optional<std::filesystem::path>& pat
         opening_.scene.commands.insert(opening_.scene.commands.end(), events.begin(), events.end());
     }
     opening_.watched.reset();
-    ++files_;
+    ++stores_;
     forget_actions_after(session_.state().tick);
     forget_after(session_.state().tick);
     return told;
@@ -110,7 +120,6 @@ void Sandbox::forget_after(std::int64_t tick) {
 }
 
 Outcome<std::string> Sandbox::recorded_so_far() const {
-    if (opening_.watched && !opening_.scene.files.empty()) return read_text(opening_.scene.files.front());
     if (!session_.recorder()) return unusable("this session is not recorded");
     return session_.recorded_so_far();
 }
@@ -206,7 +215,7 @@ Outcome<void> Sandbox::advance() {
 
 // Forgets the oldest actions if memory for undo would not suffice; the newest one stays.
 void Sandbox::remember() {
-    past_.push_back({std::move(*new_action_), session_.moment(), files_});
+    past_.push_back({std::move(*new_action_), session_.moment(), stores_});
     std::size_t bytes = 0;
     for (const Action& action : past_) bytes += bytes_of(action.before);
     while (past_.size() > 1 && (past_.size() > kMostActions || bytes > opening_.memory.for_undo())) {
@@ -221,8 +230,8 @@ Outcome<void> Sandbox::go_to_just_before(const Action& action) {
     Outcome<void> rewound;
     const std::int64_t tick = action.before.world.tick;
     if (session_.state().tick >= tick)
-        rewound = session_.recorder() && action.file != files_ ? fork_again_at(action.before)
-                                                               : session_.rewind(action.before);
+        rewound = session_.recorder() && action.store != stores_ ? fork_again_at(action.before)
+                                                                 : session_.rewind(action.before);
     if (!rewound) session_.stop_recording();
     forget_after(tick);
     return rewound;
@@ -231,16 +240,18 @@ Outcome<void> Sandbox::go_to_just_before(const Action& action) {
 // Goes back in a branch to before its beginning: it is written anew, as a branch of the same recording that begins
 // there.
 Outcome<void> Sandbox::fork_again_at(const Session::Checkpoint& moment) {
-    const std::filesystem::path path = session_.recorder()->path();
-    auto recorded = session_.finish().and_then([&] { return read_recording(path, opening_.memory); });
+    const std::string name = session_.recorder()->name();
+    const RecordingStore::Open again = session_.recorder()->again();
+    auto recorded =
+        session_.finish().and_then([&] { return read_again(*session_.recorder(), opening_.memory); });
     session_.stop_recording();
-    ++files_;
+    ++stores_;
     auto rewound = session_.rewind(moment);
     if (!recorded) return tl::unexpected(recorded.error());
-    const std::string parent = recorded->header.parent ? recorded->header.parent->name : path.stem().string();
-    auto fork = Recorder::fork(path, *recorded, parent, moment.world.tick);
-    if (!fork) return tl::unexpected(fork.error());
-    session_.record_in(std::move(*fork));
+    const std::string parent = recorded->header.parent ? recorded->header.parent->name : stem_of(name);
+    auto forked = Recorder::fork(again, *recorded, parent, moment.world.tick);
+    if (!forked) return tl::unexpected(forked.error());
+    session_.record_in(std::move(*forked));
     return rewound;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -34,6 +33,7 @@ class Sandbox {
                                   std::optional<Recorder> recorder);
 
     const Scenario& scenario() const { return opening_.scene.scenario; }
+    const LoadedWorld& opening() const { return opening_; }  // what it began with
     const Session& session() const { return session_; }
     void set_flow(const sim::fields::FlowNumbers& numbers) { session_.set_flow(numbers); }
 
@@ -60,9 +60,9 @@ class Sandbox {
     const Keyframes& keyframes() const { return keyframes_; }
 
     // Continues from this tick; later known commands are discarded. The earlier recording, if any, keeps
-    // them, and `path` becomes its fork. Without `path` nothing is recorded. Errors: a recording cannot be
-    // read or written; the session then continues unrecorded.
-    Outcome<void> take_over(const std::optional<std::filesystem::path>& path);
+    // them, and `open` gives the place of its fork. Errors: a recording cannot be read or written; the session then
+    // continues unrecorded.
+    Outcome<void> take_over(const RecordingStore::Open& open);
 
     // Later user commands form one undoable action. `name` is shown to the user: "pour".
     void begin_action(std::string name);
@@ -88,8 +88,7 @@ class Sandbox {
     // its name. Nothing can be redone any more once the user has done something else. Errors: as for undo().
     Outcome<std::string> redo();
 
-    // The text of the recording up to now, as if it ended here; of a watched recording, its file as it is.
-    // Errors: nothing is recorded, or the file cannot be read.
+    // The text of the recording up to now, as if it ended here. Errors: nothing is recorded, or it cannot be read.
     Outcome<std::string> recorded_so_far() const;
 
     // Closes the recording. Errors: the recording cannot be written.
@@ -101,7 +100,7 @@ class Sandbox {
     struct Action {
         std::string name;
         Session::Checkpoint before;
-        int file = 0;  // count of files when it began; its mark is of that one
+        int store = 0;  // count of stores when it began; its mark is of that one
     };
     struct Undone {
         Action action;
@@ -118,7 +117,7 @@ class Sandbox {
     Outcome<void> go_to_just_before(const Action& action);
     Outcome<void> fork_again_at(const Session::Checkpoint& moment);
     void forget_actions_after(std::int64_t tick);
-    Outcome<Recorder> fork_in(const std::filesystem::path& path) const;
+    Outcome<Recorder> fork(const RecordingStore::Open& open) const;
 
     LoadedWorld opening_;
     Session session_;
@@ -130,7 +129,7 @@ class Sandbox {
     std::optional<std::string> new_action_;  // begun, without a command yet
     std::deque<Action> past_;
     std::vector<Undone> undone_;  // the last one is redone first
-    int files_ = 0;               // that this session was recorded in so far
+    int stores_ = 0;              // that this session was recorded in so far
     bool returns_ = false;        // from redo() until its last tick is reached
 };
 

@@ -7,7 +7,7 @@
 
 #include "game/files/assets.h"
 #include "game/recording/command_source.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 
 namespace game {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <thread>
+#include <memory>
 #include <type_traits>
-#include <vector>
 
 namespace sim {
 
@@ -12,12 +9,13 @@ namespace sim {
 // what an earlier stage finished, so results do not depend on the number of threads.
 class Workers {
   public:
-    explicit Workers(int threads);  // ≥ 1; 1 starts none. Throws std::system_error if there are no more
+    // ≥ 1; 1 starts none. Throws std::system_error if there are no more. Without threads (workers_alone.cpp) only 1.
+    explicit Workers(int threads);
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    int threads() const { return static_cast<int>(crew_.size()) + 1; }
+    int threads() const { return threads_; }
 
     // Calls stage(first, last) for bands of the rows 0 … rows-1, and returns when all are done. `stage` must
     // not throw.
@@ -40,17 +38,10 @@ class Workers {
   private:
     using Call = void (*)(void*, int, int, int);
     void run(int rows, Call call, void* callable);
-    void leave();
-    void serve(int member);
-    void do_band(int member) const;
 
-    std::vector<std::thread> crew_;
-    Call call_ = nullptr;
-    void* callable_ = nullptr;
-    int rows_ = 0;
-    bool leaving_ = false;
-    std::atomic<std::uint32_t> round_{0};
-    std::atomic<int> busy_{0};
+    class Crew;
+    int threads_ = 1;
+    std::unique_ptr<Crew> crew_;  // none if the caller is alone
 };
 
 }  // namespace sim

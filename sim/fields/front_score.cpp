@@ -137,9 +137,9 @@ FrontScore score(const front::Mesh& mesh, const front::Rule& rule, front::PointS
         ++steps, score.jumps += jumped, score.true_jumps += truly;
         for (int e = 0; e < mesh.edges(); ++e) {
             const auto [a, b] = mesh.edge[e];
-            const auto parts = [&, a = a, b = b](double times) {
-                return region[a] != region[b] &&
-                       lie.parts(glm::dvec2(mesh.position[a]), glm::dvec2(mesh.position[b]), front_time,
+            const auto parts = [&, from = a, to = b](double times) {
+                return region[from] != region[to] &&
+                       lie.parts(glm::dvec2(mesh.position[from]), glm::dvec2(mesh.position[to]), front_time,
                                  times * rule.jump);
             };
             const bool is_crossed = parts(kSurely), is_cut = tracker.detector().is_cut(e);

@@ -3,8 +3,14 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <experimental/simd>  // the standard library's data-parallel types: one formula for one number and for many
 #include <type_traits>
+
+// The standard library's data-parallel types: one formula for one number and for many.
+#if defined(_LIBCPP_VERSION)
+#include "sim/simd/vectors.h"
+#else
+#include <experimental/simd>
+#endif
 
 // Operations for formulas that are written once for several number types: float in a world, double in
 // verification, and lanes of floats in a sweep (Lanes). All are correctly rounded by IEEE 754, so each lane
@@ -12,7 +18,11 @@
 
 namespace sim {
 
+#if defined(_LIBCPP_VERSION)
+namespace stdx = vectors;
+#else
 namespace stdx = std::experimental;
+#endif
 
 template <class Number>
 inline constexpr bool kIsLanes = stdx::is_simd_v<Number>;

@@ -14,7 +14,7 @@
 #include "game/commands/runs_of_ensemble.h"
 #include "game/ensemble/ensemble.h"
 #include "game/recording/format.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/verifier.h"
 #include "game/ui/scene_pictures.h"
 #include "render/pictures/picture.h"

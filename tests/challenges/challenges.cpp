@@ -14,7 +14,7 @@
 #include "game/analysis/measures.h"
 #include "game/analysis/score.h"
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
 #include "tests/challenges/shipped.h"

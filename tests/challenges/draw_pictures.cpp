@@ -12,7 +12,7 @@
 #include "game/analysis/gallery.h"
 #include "game/controls/catalogue.h"
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
 #include "render/pictures/picture.h"

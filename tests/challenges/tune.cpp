@@ -19,8 +19,7 @@
 #include <fmt/format.h>
 
 #include "game/analysis/score.h"
-#include "game/recording/reader.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
 
@@ -58,7 +57,7 @@ Result must(game::Outcome<Result> outcome) {
 class Writer {
   public:
     Writer(const std::string& path, const Scenario& scenario)
-        : recorder_(must(game::Recorder::create(path, header_of(scenario)))) {}
+        : recorder_(must(game::record_into(path, header_of(scenario)))) {}
 
     void command(const TimedCommand& command) { must(recorder_.command(command)); }
     void state(game::StateLine line) {

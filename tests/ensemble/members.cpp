@@ -15,7 +15,7 @@
 #include "game/ensemble/results.h"
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "tests/ensemble/small_ensemble.h"
 #include "tests/game/full_disk.h"
 

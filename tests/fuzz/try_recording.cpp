@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "game/recording/chain.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 
 namespace game::test {
 namespace {

@@ -13,6 +13,7 @@
 #include "game/bench/report.h"
 #include "game/files/assets.h"
 #include "game/pages/plot.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

@@ -8,6 +8,7 @@
 #include "game/compare/desync_picture.h"
 #include "game/compare/difference_map.h"
 #include "game/compare/edit.h"
+#include "game/recording/recording_file.h"
 #include "game/recording/scenario_difference.h"
 #include "game/session/verifier.h"
 #include "tests/game/program.h"

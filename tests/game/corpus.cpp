@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "tests/fuzz/try_recording.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"

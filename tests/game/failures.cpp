@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/text_file.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"
@@ -62,10 +62,10 @@ TEST(MakeFolder, says_what_stands_in_its_way) {
 
 TEST(Recorder, that_cannot_write_is_the_machines_failure) {
     const support::TemporaryFolder folder;
-    const auto recorder = Recorder::create(unwritable(folder), small_scenario());
+    const auto recorder = record_into(unwritable(folder), small_scenario());
     ASSERT_FALSE(recorder);
     EXPECT_EQ(recorder.error().status, Failure::kMachine);
-    const auto full = Recorder::create("/dev/full", small_scenario());
+    const auto full = record_into("/dev/full", small_scenario());
     ASSERT_FALSE(full);
     EXPECT_EQ(full.error().status, Failure::kMachine);
     EXPECT_NE(full.error().sentence.find("/dev/full: cannot be written: "), std::string::npos)

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/score.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/goal.h"
 #include "game/scene/scene.h"
 #include "game/session/sandbox.h"
@@ -71,7 +71,7 @@ class Challenge : public testing::Test {
     void play(double x, double y) {
         LoadedWorld loaded;
         loaded.scene = scene();
-        auto recorder = Recorder::create(path_, loaded.scene.scenario);
+        auto recorder = record_into(path_, loaded.scene.scenario);
         Sandbox sandbox = Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::move(*recorder)).value();
         const sim::Command blast = blast_at(x, y);
         sandbox.begin_action("blast");
@@ -445,7 +445,7 @@ TEST_F(Challenge, goes_on_with_the_events_of_its_scene_in_a_branch) {
     again.name = "try";
     Sandbox sandbox = Sandbox::begin(std::move(again), sim::StepOptions{}, std::nullopt).value();
     for (int i = 0; i < 12; ++i) ASSERT_TRUE(sandbox.tick({}));
-    ASSERT_TRUE(sandbox.take_over(folder_.path() / "branch.couloir"));
+    ASSERT_TRUE(sandbox.take_over(into_file(folder_.path() / "branch.couloir")));
     for (int i = 0; i < 60; ++i) ASSERT_TRUE(sandbox.tick({}));
     ASSERT_EQ(sandbox.commands_so_far().size(), 1u);
     EXPECT_EQ(sandbox.commands_so_far()[0], sandbox.scenario().goal->events[0]);

@@ -13,7 +13,7 @@
 #include "game/files/array_file.h"
 #include "game/files/mesh_file.h"
 #include "game/files/toml_table.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

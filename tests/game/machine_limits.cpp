@@ -13,8 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/text_file.h"
-#include "game/recording/reader.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/game/subcommands.h"
@@ -209,16 +208,16 @@ TEST(Recorder, locks_within_one_process_too) {
     const support::TemporaryFolder folder;
     const auto path = folder.path() / "a.couloir";
     {
-        const auto first = Recorder::create(path, small_scenario());
+        const auto first = record_into(path, small_scenario());
         ASSERT_TRUE(first);
         const std::string before = read_bytes(path);
-        const auto second = Recorder::create(path, small_scenario());
+        const auto second = record_into(path, small_scenario());
         ASSERT_FALSE(second);
         EXPECT_EQ(second.error().status, Failure::kMachine);
         EXPECT_FALSE(write_text(path, "text"));
         EXPECT_EQ(read_bytes(path), before);
     }
-    EXPECT_TRUE(Recorder::create(path, small_scenario()));
+    EXPECT_TRUE(record_into(path, small_scenario()));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "game/app/challenge_maker.h"
 #include "game/files/own_worlds.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "game/base/limits.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
 #include "tests/support/places.h"

@@ -9,6 +9,7 @@
 #include <xxhash.h>
 
 #include "game/analysis/headless.h"
+#include "game/recording/recording_file.h"
 #include "game/session/session.h"
 
 namespace game::test {
@@ -68,8 +69,7 @@ std::vector<TimedCommand> some_commands() {
 
 StateLine record(const std::filesystem::path& path, const Scenario& scenario, int ticks,
                  const std::vector<TimedCommand>& commands) {
-    auto session =
-        Session::begin(scenario, sim::StepOptions{}, Recorder::create(path, scenario).value()).value();
+    auto session = Session::begin(scenario, sim::StepOptions{}, record_into(path, scenario).value()).value();
     Until until;
     until.tick = ticks;
     play_headless(session, commands, until, {}, "").value();

@@ -9,7 +9,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/recording/ground_data.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/material.h"
 #include "game/scene/standing.h"
 #include "game/session/session.h"

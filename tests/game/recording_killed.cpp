@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 

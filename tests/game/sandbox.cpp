@@ -10,6 +10,7 @@
 
 #include "game/controls/catalogue.h"
 #include "game/files/recordings_folder.h"
+#include "game/recording/recording_file.h"
 #include "tests/game/full_disk.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -37,7 +38,7 @@ LoadedWorld small_opening() {
 
 Sandbox recorded(const std::filesystem::path& path) {
     LoadedWorld loaded = small_opening();
-    auto recorder = Recorder::create(path, loaded.scene.scenario);
+    auto recorder = record_into(path, loaded.scene.scenario);
     return Sandbox::begin(std::move(loaded), sim::StepOptions{}, std::move(*recorder)).value();
 }
 
@@ -178,7 +179,7 @@ TEST(Sandbox, undoes_and_redoes_in_a_branch_what_was_done_before_it) {
     run(sandbox, 5);
     stroke(sandbox, "later", 5);
     ASSERT_TRUE(sandbox.go_toward(70, [] { return true; }).value());
-    ASSERT_TRUE(sandbox.take_over(second));
+    ASSERT_TRUE(sandbox.take_over(into_file(second)));
     const StateLine branch = sandbox.session().state_line();
     EXPECT_EQ(sandbox.actions(), 2u);  // the third is in the first recording alone
 
@@ -210,7 +211,7 @@ TEST(Sandbox, redoes_in_a_branch_what_was_undone_before_it) {
     run(sandbox, 15);
     ASSERT_TRUE(sandbox.go_toward(10, [] { return true; }).value());
     const auto second = folder.path() / "second.couloir";
-    ASSERT_TRUE(sandbox.take_over(second));
+    ASSERT_TRUE(sandbox.take_over(into_file(second)));
     EXPECT_EQ(sandbox.redo().value(), "pour");  // what it begins with is still to come
     go_to_present(sandbox);
     EXPECT_EQ(sandbox.session().state_line(), after);
@@ -378,7 +379,7 @@ TEST(Sandbox, lets_a_person_take_over_a_recording_at_its_end_and_records_the_who
     while (after.looks_back()) ASSERT_TRUE(after.tick({}));
     EXPECT_EQ(after.session().state_line().hash, before.session().state_line().hash);
     EXPECT_EQ(after.verdict()->proven_tick, 45);
-    ASSERT_TRUE(after.take_over(second));
+    ASSERT_TRUE(after.take_over(into_file(second)));
     stroke(after, "pour", 10);
     ASSERT_TRUE(after.finish());
     EXPECT_EQ(read_recording(second).value().last_tick(), 55);
@@ -425,7 +426,7 @@ TEST(Sandbox, copies_a_watched_recording_as_it_is) {
     ASSERT_TRUE(own.finish());
     Sandbox watching = Sandbox::begin(open_anything(path.string(), {}).value(), {}, std::nullopt).value();
     run(watching, 5);
-    EXPECT_EQ(watching.recorded_so_far().value(), read_bytes(path));
+    EXPECT_EQ(watched_text(watching.opening()).value(), read_bytes(path));
 }
 
 TEST(Sandbox, says_why_there_is_no_recording_to_copy) {
@@ -490,7 +491,7 @@ TEST(Recordings, of_windows_that_begin_at_once_have_names_of_their_own) {
         windows.emplace_back([&] {
             for (int i = 0; i < kSessions; ++i) {
                 own.push_back(next_recording("slope").value());
-                auto recorder = Recorder::create(own.back(), scenario);
+                auto recorder = record_into(own.back(), scenario);
                 if (!recorder || !recorder->end(0)) own.back().clear();
             }
         });

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/mountains.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
@@ -65,7 +65,7 @@ TEST(ShippedScenes, are_recorded_in_files_that_can_be_read) {
             const Scene scene = load_scene(name, overrides).value();
             if (scene.scenario.flow && own_grid) continue;
             const std::filesystem::path path = folder.path() / fmt::format("{}_{}.couloir", name, own_grid);
-            auto recorder = Recorder::create(path, scene.scenario);
+            auto recorder = record_into(path, scene.scenario);
             ASSERT_TRUE(recorder) << recorder.error().sentence;
             auto session = Session::begin(scene.scenario, {}, std::move(*recorder)).value();
             for (int tick = 0; tick < 3; ++tick) ASSERT_TRUE(session.advance({})) << name;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
+#include "game/recording/recording_file.h"
 #include "game/session/keyframes.h"
 #include "game/session/sandbox.h"
 #include "tests/game/recording_files.h"
@@ -56,7 +57,7 @@ std::vector<std::uint64_t> hashes_of(Sandbox& sandbox, std::int64_t ticks) {
 }
 
 Sandbox begun(const std::filesystem::path& path) {
-    auto recorder = Recorder::create(path, loaded().scene.scenario);
+    auto recorder = record_into(path, loaded().scene.scenario);
     return Sandbox::begin(loaded(), sim::StepOptions{}, std::move(*recorder)).value();
 }
 
@@ -159,7 +160,7 @@ TEST(Timeline, forks_a_session_where_its_past_is_taken_over) {
     const auto hashes = hashes_of(sandbox, 100);
     go(sandbox, 45);
     EXPECT_EQ(sandbox.undo().error().status, Failure::kUnusable) << "in the past";
-    ASSERT_TRUE(sandbox.take_over(second));
+    ASSERT_TRUE(sandbox.take_over(into_file(second)));
     EXPECT_FALSE(sandbox.looks_back());
     EXPECT_EQ(sandbox.actions(), 1u) << "what began before the branch can be undone in it";
     sandbox.begin_action("pour");
@@ -191,7 +192,7 @@ TEST(Timeline, forks_a_recording_where_it_is_taken_over_in_the_middle) {
     Sandbox sandbox = watching(first);
     EXPECT_TRUE(sandbox.watches());
     go(sandbox, 65);
-    ASSERT_TRUE(sandbox.take_over(second));
+    ASSERT_TRUE(sandbox.take_over(into_file(second)));
     EXPECT_FALSE(sandbox.watches());
     for (int i = 0; i < 35; ++i) ASSERT_TRUE(sandbox.tick({}));
     EXPECT_NE(sandbox.session().state_line().hash, hashes[100]) << "what it poured at 70 is given up";
@@ -211,7 +212,7 @@ TEST(Timeline, goes_on_unrecorded_where_a_fork_cannot_be_written) {
     Sandbox sandbox = begun(folder.path() / "first.couloir");
     hashes_of(sandbox, 40);
     go(sandbox, 10);
-    const auto taken = sandbox.take_over(folder.path() / "first.couloir" / "no.couloir");
+    const auto taken = sandbox.take_over(into_file(folder.path() / "first.couloir" / "no.couloir"));
     ASSERT_FALSE(taken);
     EXPECT_NE(taken.error().sentence.find("no.couloir"), std::string::npos) << taken.error().sentence;
     EXPECT_FALSE(sandbox.looks_back());

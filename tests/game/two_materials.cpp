@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"

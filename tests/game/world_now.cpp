@@ -13,7 +13,7 @@
 #include "game/analysis/headless.h"
 #include "game/files/own_worlds.h"
 #include "game/recording/ground_data.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
 #include "game/session/sandbox.h"
 #include "sim/world/quanta.h"

@@ -13,7 +13,7 @@
 #include "game/files/array_file.h"
 #include "game/files/mesh_file.h"
 #include "game/files/toml_table.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "terrains/coverage.h"
 #include "terrains/dem_gdal.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "game/recording/recording_file.h"
 #include "tests/replay/play.h"
 
 namespace game::test {

@@ -8,7 +8,7 @@
 
 #include "game/analysis/headless.h"
 #include "game/files/assets.h"
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "game/session/session.h"
 
 // Plays shipped recordings again.

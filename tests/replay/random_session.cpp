@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "game/recording/format.h"
+#include "game/recording/recording_file.h"
 #include "game/session/sandbox.h"
 #include "sim/world/state_hash.h"
 #include "tests/support/worlds.h"
@@ -164,7 +165,7 @@ class Lockstep {
         LoadedWorld loaded, plain;
         loaded.scene.scenario = plain.scene.scenario = session.scenario;
         plain.scene.scenario.look.flow.reset();
-        auto recorder = Recorder::create(files_.back(), session.scenario);
+        auto recorder = record_into(files_.back(), session.scenario);
         played_.emplace(
             Sandbox::begin(std::move(loaded), {.threads = session.threads}, std::move(*recorder)).value());
         plain_.emplace(Sandbox::begin(std::move(plain), {.plain = true}, std::nullopt).value());
@@ -247,8 +248,10 @@ class Lockstep {
 
     std::optional<std::string> branch() {
         files_.push_back(folder_ / fmt::format("{}.couloir", files_.size()));
-        if (const auto taken = played_->take_over(files_.back()); !taken) return taken.error().sentence;
-        if (const auto taken = plain_->take_over(std::nullopt); !taken) return taken.error().sentence;
+        if (const auto taken = played_->take_over(into_file(files_.back())); !taken)
+            return taken.error().sentence;
+        if (const auto taken = plain_->take_over(into_file(std::nullopt)); !taken)
+            return taken.error().sentence;
         return difference();
     }
 

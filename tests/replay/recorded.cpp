@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/score.h"
-#include "game/recording/reader.h"
-#include "game/recording/recorder.h"
+#include "game/recording/recording_file.h"
 #include "game/session/session.h"
 #include "game/session/verifier.h"
 #include "tests/support/places.h"
@@ -46,7 +45,7 @@ void play(Session& session, const Recording& recording, Look&& look) {
 Played play_into(const std::filesystem::path& again, const Recording& recording,
                  const sim::StepOptions& options) {
     auto session = Session::begin(recording.header.scenario, options,
-                                  Recorder::create(again, recording.header.scenario).value())
+                                  record_into(again, recording.header.scenario).value())
                        .value();
     Verifier verifier(recording);
     play(session, recording, [&] { verifier.look_at(session); });

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "game/recording/reader.h"
+#include "game/recording/recording_file.h"
 #include "render/pictures/png.h"
 #include "tests/window/play_session.h"
 #include "tests/window/screenshot.h"

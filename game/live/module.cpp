@@ -1,0 +1,172 @@
+// The module's functions, for a page (assets/web/live_worker.js calls them; game/live/README.md tells how). Numbers go in and
+// out as they are; text goes in through in_buffer(), and comes out at out_at(), out_size() bytes of UTF-8. A call that fails
+// returns a negative number and leaves its sentence there. Without an open world nothing but open() may be called.
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "game/base/limits.h"
+#include "game/live/live_world.h"
+#include "sim/core/float_environment.h"
+#include "terrains/json_reader.h"
+
+#define EXPORTED(name) extern "C" __attribute__((export_name(#name), used))
+
+namespace game {
+namespace {
+
+constexpr int kDone = 1, kNot = 0, kFailed = -1;
+constexpr terrains::JsonLimits kQuestion{.depth = 4, .values = 64, .members = 16};
+
+std::string given, told;  // the texts that came in and go out
+std::optional<LiveWorld> world;
+
+int fails(std::string sentence) {
+    told = std::move(sentence);
+    return kFailed;
+}
+int fails(const Failure& failure) {
+    return fails(failure.sentence);
+}
+int says(std::string text) {
+    told = std::move(text);
+    return kDone;
+}
+int says(const Json& json) {
+    return says(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+const sim::State& state() {
+    return world->state();
+}
+
+}  // namespace
+
+EXPORTED(in_buffer) char* in_buffer(std::size_t size) {
+    given.assign(size, '\0');
+    return given.data();
+}
+EXPORTED(out_at) const char* out_at() {
+    return told.data();
+}
+EXPORTED(out_size) std::size_t out_size() {
+    return told.size();
+}
+
+// In: a name, a line break, and a recording. Out: what stays the same (LiveWorld::facts()), or what is wrong with it.
+EXPORTED(open) int open_recording() {
+    if (const auto fault = sim::float_environment_fault())
+        return fails("In this browser " + std::string(*fault) + ", so that it would compute another slide");
+    const std::size_t end = given.find('\n');
+    if (end == std::string::npos) return fails("no name");
+    std::string name = given.substr(0, end);
+    given.erase(0, end + 1);
+    world.reset();
+    auto opened = LiveWorld::open(given, std::move(name));
+    given = {};
+    if (!opened) return fails(opened.error());
+    world.emplace(std::move(*opened));
+    return says(world->facts());
+}
+
+// Out: what is known now (LiveWorld::status()).
+EXPORTED(status) int status() {
+    return says(world->status());
+}
+// Returns how many ticks were done. Out: a sentence if something was refused, else nothing.
+EXPORTED(advance) int advance(int ticks) {
+    const LiveWorld::Advanced done = world->advance(ticks);
+    told = done.told ? done.told->sentence : std::string();
+    return done.ticks;
+}
+// 1: it is there; 0: not yet.
+EXPORTED(seek) int seek(double tick, int most_ticks) {
+    const auto there = world->seek(static_cast<std::int64_t>(tick), most_ticks);
+    if (!there) return fails(there.error());
+    return *there ? kDone : kNot;
+}
+EXPORTED(take_over) int take_over() {
+    const auto taken = world->take_over();
+    return taken ? kDone : fails(taken.error());
+}
+
+EXPORTED(press) void press(int shift, int control, double x, double y) {
+    world->press({.shift = shift != 0, .control = control != 0}, {x, y});
+}
+EXPORTED(move) void move(double x, double y) {
+    world->move_to(glm::dvec2(x, y));
+}
+EXPORTED(leave) void leave() {
+    world->move_to(std::nullopt);
+}
+EXPORTED(release) void release() {
+    world->release();
+}
+EXPORTED(would_act) int would_act() {
+    return world->would_act() ? kDone : kNot;
+}
+// In: as LiveWorld::set_brush().
+EXPORTED(brush) int brush() {
+    const auto json = terrains::read_json<Json>(given, kQuestion);
+    if (!json) return fails(json.error());
+    const auto set = world->set_brush(*json);
+    return set ? kDone : fails(set.error());
+}
+// Out: the name of the action.
+EXPORTED(undo) int undo() {
+    auto name = world->undo();
+    return name ? says(std::move(*name)) : fails(name.error());
+}
+EXPORTED(redo) int redo() {
+    auto name = world->redo();
+    return name ? says(std::move(*name)) : fails(name.error());
+}
+// Out: the recording, as if it ended here.
+EXPORTED(recorded) int recorded() {
+    auto text = world->recorded();
+    return text ? says(std::move(*text)) : fails(text.error());
+}
+
+// How the replay has compared with the recording: 1 exact so far, 0 not proven, −1 it differs. Out: in words.
+EXPORTED(verdict) int verdict() {
+    const auto found = world->sandbox().verdict();
+    if (!found) return fails("nothing is watched");
+    told = std::string(to_string(found->kind())) + ", " + std::to_string(found->compared) +
+           " states, up to tick " + std::to_string(found->proven_tick);
+    if (found->parted) told += "; " + *found->parted;
+    return found->parted ? kFailed : found->kind() == Verdict::Kind::kExact ? kDone : kNot;
+}
+
+// Fields: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
+EXPORTED(columns) int columns() {
+    return state().grid.nx;
+}
+EXPORTED(rows) int rows() {
+    return state().grid.ny;
+}
+EXPORTED(stride) int stride() {
+    return static_cast<int>(state().bedrock.stride());
+}
+EXPORTED(field) const float* field(int which) {
+    const sim::State& s = state();
+    const sim::Field<float>* const fields[] = {&s.bedrock, &s.depth, &s.rolling, &s.velocity_x,
+                                               &s.velocity_y};
+    return fields[which]->row(0);
+}
+// One value per vertex, without gaps: greatest depth and speed in plan.
+EXPORTED(peak) const float* peak(int which) {
+    const Peaks& peaks = world->sandbox().session().peaks();
+    return which == 0 ? peaks.depth.data() : peaks.speed_plan.data();
+}
+// sim::powder::Puff, one after the other.
+EXPORTED(puffs) int puffs() {
+    return static_cast<int>(world->sandbox().session().powder().size());
+}
+EXPORTED(puffs_at) const void* puffs_at() {
+    return world->sandbox().session().powder().data();
+}
+
+}  // namespace game
