@@ -48,6 +48,11 @@ tests|chromium|opens the page of a slide|program chromium
 aarch64|g++-aarch64-linux-gnu|a compiler for 64-bit ARM|program aarch64-linux-gnu-g++
 aarch64|qemu-user|runs programs for 64-bit ARM|program qemu-aarch64
 aarch64|mmdebstrap|unpacks packages for 64-bit ARM|program mmdebstrap
+wasm|clang-19|clang++ 19, for WebAssembly|program clang++-19
+wasm|lld-19|its linker|program wasm-ld-19
+wasm|libclang-rt-19-dev-wasm32|its run time|
+wasm|mmdebstrap|unpacks headers and libraries|program mmdebstrap
+wasm|dpkg-dev|unpacks a source|program dpkg-source
 maintainer|clang|clang++|program clang++
 maintainer|libclang-rt-14-dev|run time of the clang sanitizers|
 maintainer|clang-format|clang-format 14|program clang-format

@@ -318,6 +318,8 @@ void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view)
                    "write one page that plays the slide in any browser, with its numbers; --every is "
                    "6 ticks there unless given")
         ->type_name("FILE.html");
+    app.add_flag("--watch-only", options.watch_only,
+                 "leave the world out of the page: nobody can take over, and it is 0.9 MB smaller");
     add_bytes(app, "--size-limit", options.most_bytes, "8M",
               "refuse a page that is larger; suffixes K, M, G, T [32000000]");
     app.add_option_function<std::string>(

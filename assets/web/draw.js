@@ -123,9 +123,9 @@ class Picture {
         this.site = slide.array('site') ?? new Float32Array(nx * ny);
         this.firstDepth = slide.array('d0');
         const field = (slot, format, filter, data) => gpu.texture(slots[slot], format, nx, ny, filter, data);
-        field('SLOT_BEDROCK', gl.R32F, gl.NEAREST, slide.array('bed'));
         field('SLOT_SITE', gl.R8UI, gl.NEAREST, Uint8Array.from(this.site));
         this.fields = {
+            bed: field('SLOT_BEDROCK', gl.R32F, gl.NEAREST, slide.bed),
             depth: field('SLOT_DEPTH', gl.R32F, gl.NEAREST), rolling: field('SLOT_ROLLING', gl.R32F, gl.NEAREST),
             speed: field('SLOT_VELOCITY_X', gl.R32F, gl.NEAREST),
             // 32-bit floats for heights, 16-bit ones for what is filtered: not every device can filter the former.
@@ -232,7 +232,8 @@ class Picture {
     // ---- drawing ----
 
     // Draws the slide at its moment into the canvas. `overlay`: of slide.info.overlays, or null; `cursor`: a point of
-    // the ground, or null. `scale`: samples per pixel of the screen along an edge.
+    // the ground with the radius and colour of a ring around it, or null. `scale`: samples per pixel of the screen along
+    // an edge.
     draw({view, overlay = null, cursor = null, scale = 1}) {
         const {gl, frame, scenery, cloud} = this;
         if (gl.isContextLost()) return;
@@ -242,7 +243,7 @@ class Picture {
         const samples = Math.max(scale, 1), onScreen = (low, high) => this.onScreen(view, low, high);
         frame.setView(view, samples);
         frame.setOverlay(overlay, overlay && this.legend(overlay));
-        frame.setRing(cursor, 1.5 * this.slide.info.grid.dx);
+        frame.setRing(cursor);
         frame.send();
         this.sendFields(overlay);
         this.mark('fields');
@@ -294,8 +295,9 @@ class Picture {
     // Fields of the moment, and what the surface is there.
     sendFields(overlay) {
         const {gpu, slide, slots, fields} = this, {nx, ny} = slide.info.grid;
-        if (this.sentTick !== slide.tick) {
-            this.sentTick = slide.tick;
+        if (this.sentVersion !== slide.version) {
+            if (slide.bedVersion > (this.sentVersion ?? 0)) gpu.upload(slots.SLOT_BEDROCK, fields.bed, nx, ny, slide.bed);
+            this.sentVersion = slide.version;
             this.sentOverlay = null;
             gpu.upload(slots.SLOT_DEPTH, fields.depth, nx, ny, slide.depth);
             gpu.upload(slots.SLOT_ROLLING, fields.rolling, nx, ny, slide.rolling);

@@ -154,6 +154,8 @@ class Slide {
         this.before = new FieldCursor(this.fields, nx, ny, copies);
         this.after = new FieldCursor(this.fields, nx, ny, copies);
         this.tick = -1;
+        this.version = 0;      // one more whenever something that is shown changes
+        this.live = null;      // what a world that goes on has shown last, if one does
         this.seek(0);
     }
 
@@ -250,8 +252,9 @@ class Slide {
     // Sets the fields to a tick; between two stored frames they are blended.
     seek(asked) {
         const tick = Math.max(0, Math.min(this.info.last, asked));
-        if (tick === this.tick) return;
+        if (tick === this.tick || this.live) return;
         this.tick = tick;
+        ++this.version;
         const frame = Math.min(Math.floor(tick / this.info.every), this.info.frames - 1);
         const next = Math.min(frame + 1, this.info.frames - 1);
         this.before.go(frame, this.work);
@@ -266,8 +269,31 @@ class Slide {
             else
                 for (let k = 0; k < out.length; ++k) out[k] = zero + step * (from[k] + (to[k] - from[k]) * share);
         });
+        this.findSurface();
+    }
+
+    findSurface() {
         const {bed, depth, rolling, surface} = this;
         for (let k = 0; k < surface.length; ++k) surface[k] = bed[k] + depth[k] + rolling[k];
+    }
+
+    // Shows a state of a world that goes on, exact, instead of a stored one. `shown`: as live_worker.js has it.
+    become(tick, shown) {
+        this.tick = tick;
+        this.live = shown;
+        ++this.version;
+        this.depth.set(shown.depth);
+        this.rolling.set(shown.rolling);
+        this.speed.set(shown.speed);
+        this.peakDepth.set(shown.peakDepth);
+        this.peakSpeed.set(shown.peakSpeed);
+        if (shown.mixture)
+            for (let i = 0; i < this.depth.length; ++i) {
+                this.lowerDepth[i] = shown.mixture[2 * i] / 255;
+                this.lowerRolling[i] = shown.mixture[2 * i + 1] / 255;
+            }
+        if (shown.bed) this.bed.set(shown.bed), this.bedVersion = this.version;
+        this.findSurface();
     }
 
     // The values at the vertex and in the stored frame nearest to a point and to the time of the picture; null
@@ -278,9 +304,10 @@ class Slide {
         if (!(column >= 0 && row >= 0 && column < nx && row < ny) || (this.site && this.site[i] > 0)) return null;
         const cursor = this.share > 0.5 ? this.after : this.before;
         const now = {};
-        this.fields.forEach(({name, zero, step}, f) => now[name] = zero + step * cursor.values[f][i]);
+        this.fields.forEach(({name, zero, step}, f) =>
+            now[name] = this.live ? this.shown[name]?.[i] : zero + step * cursor.values[f][i]);
         return {
-            column, row, x: column * dx, y: row * dx, tick: this.tickOf(cursor.frame),
+            column, row, x: column * dx, y: row * dx, tick: this.live ? this.tick : this.tickOf(cursor.frame),
             height: datum + this.bed[i] + now.d + now.R,
             standing: now.d, rolling: now.R, speed: now.s, change: now.d - this.firstDepth[i],
             peakDepth: this.peakDepth[i], peakSpeed: this.peakSpeed[i],

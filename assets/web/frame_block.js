@@ -56,9 +56,9 @@ class FrameBlock {
     }
 
     // `point`: of the ground, m; null: none.
-    setRing(point, radius) {
-        this.floats('ring').set(point ? [point.x, point.y, radius, 1] : [0, 0, 0, 0]);
-        this.floats('ring_colour').set([1, 0.55, 0.05]);
+    setRing(point) {
+        this.floats('ring').set(point ? [point.x, point.y, point.radius, 1] : [0, 0, 0, 0]);
+        if (point) this.floats('ring_colour').set(point.colour);
     }
 
     send() {

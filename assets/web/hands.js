@@ -13,6 +13,7 @@ class Hands {
         this.pointers = new Map();  // places by number, px
         this.travelled = 0;         // px since the first touched the picture
         this.pivot = null;          // the ground that they hold
+        this.tool = null;           // the pointer that acts on the world; none: they turn the view
         const on = (type, action, options) => this.canvas.addEventListener(type, action, options);
         on('pointerdown', event => this.down(event));
         on('pointermove', event => this.move(event));
@@ -22,8 +23,10 @@ class Hands {
         on('wheel', event => this.wheel(event), {passive: false});
         on('contextmenu', event => event.preventDefault());
         addEventListener('keydown', event => {
+            if (event.target.tagName === 'SELECT' || part('keys').open || part('card').open) return;  // have keys of their own
+            const live = page.live?.on && !event.altKey && !(event.key === 'Enter' && event.target.tagName === 'BUTTON');
+            if (live && page.live.key(event)) return event.preventDefault();
             if (event.ctrlKey || event.metaKey || event.altKey) return;
-            if (event.target.tagName === 'SELECT' || part('keys').open) return;  // have keys of their own
             if (this.key(event)) event.preventDefault();
         });
     }
@@ -41,8 +44,28 @@ class Hands {
         this.canvas.classList.add('held');
         part('welcome').hidden = true;
         if (!this.busy) this.travelled = 0;
-        this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+        const place = [event.offsetX, event.offsetY];
+        if (this.acts(event, place)) return;
+        this.pointers.set(event.pointerId, place);
+        if (this.tool !== null) this.letGo();  // a second finger: both turn the view
         this.grip();
+    }
+
+    // ---- the hand on the world, once a person has taken over ----
+
+    // One button or one finger on the ground acts. Beside it, with two fingers, or with another button, the view turns.
+    acts(event, place) {
+        const {live} = this.page;
+        if (!live?.on || this.busy || event.button !== 0 || event.altKey || part('card').open) return false;
+        if (!live.press(place, event.shiftKey, event.ctrlKey || event.metaKey)) return false;
+        this.pointers.set(event.pointerId, place);
+        this.tool = event.pointerId;
+        return true;
+    }
+
+    letGo() {
+        this.tool = null;
+        this.page.live.release();
     }
 
     // Takes hold of the ground under the finger, or between two.
@@ -63,7 +86,11 @@ class Hands {
             return;
         }
         this.travelled += Math.hypot(now[0] - old[0], now[1] - old[1]);
-        if (this.travelled <= kTap) return;  // the next movement counts from the same place
+        if (this.travelled <= kTap && this.tool === null) return;  // the next movement counts from the same place
+        if (this.tool === event.pointerId) {
+            this.pointers.set(event.pointerId, now);
+            return this.page.live.move(now);
+        }
         const from = this.middle(), two = this.pointers.size === 2;
         if (two) this.twist(old, now, [...this.pointers].find(([id]) => id !== event.pointerId)[1]);
         this.pointers.set(event.pointerId, now);
@@ -97,10 +124,14 @@ class Hands {
 
     up(event) {
         if (!this.pointers.delete(event.pointerId)) return;
+        if (this.tool === event.pointerId) {
+            this.canvas.classList.remove('held');
+            return this.letGo();
+        }
         if (this.busy) return this.grip();
         this.canvas.classList.remove('held');
         const tapped = event.type === 'pointerup' && this.travelled <= kTap && event.button === 0;
-        if (tapped) this.page.markAt([event.offsetX, event.offsetY], event.pointerType === 'mouse');
+        if (tapped && !this.page.live?.on) this.page.markAt([event.offsetX, event.offsetY], event.pointerType === 'mouse');
         else this.page.stir();
     }
 
@@ -126,7 +157,8 @@ class Hands {
         else if (arrow) camera.turn(kTurned * arrow[0], kRaised * arrow[1]);
         else if (states) page.step(shiftKey ? states * page.framesPerSecond : states);
         else if (/^[0-9]$/.test(key)) page.choose(Number(key));
-        else if (key === ' ') page.play(!page.playing);
+        else if (key === ' ') page.turnPlay();
+        else if ((key === 't' || key === 'T') && page.live) page.live.takeOver();
         else if (key === 'Home') page.step(-Infinity);
         else if (key === 'End') page.step(Infinity);
         else if (key === '+' || key === '=') camera.zoom(kNearer);

@@ -3,6 +3,7 @@
 const kSettle = 150, kSmooth = 400;  // ms without a change before full resolution; before more
 const kLongest = 1000;               // ms that playing moves on in one picture
 const kRates = [[0.25, '¼ ×'], [0.5, '½ ×'], [1, '1 ×'], [2, '2 ×'], [4, '4 ×'], [8, '8 ×']];
+const kMark = [1, 0.55, 0.05];       // linear light: the ring around a marked point
 const kLong = 60;                    // s from which a slide begins at twice its speed
 
 class Page {
@@ -24,6 +25,7 @@ class Page {
         this.playing = false;
         this.touched = false;  // whether somebody has chosen a time
         this.rate = this.seconds(this.info.last) > kLong ? 2 : 1;
+        this.live = this.info.live && runsModules() ? new Live(this) : null;
         this.hands = new Hands(this);
     }
 
@@ -53,7 +55,14 @@ class Page {
             this.canvas.height = height;
         }
         ++this.frames;
-        this.picture.draw({view: this.view(), overlay: this.overlay, cursor: this.pin, scale: this.scale});
+        this.picture.draw({view: this.view(), overlay: this.overlay, cursor: this.ring(), scale: this.scale});
+    }
+
+    // The ring that is drawn: of the brush, or around the marked point.
+    ring() {
+        const {live, hover, pin, info} = this;
+        if (live?.on && hover && live.deed) return {...hover, radius: live.reach, colour: live.deed.ring};
+        return pin && {...pin, radius: 1.5 * info.grid.dx, colour: kMark};
     }
 
     // Asks for a picture.
@@ -131,6 +140,7 @@ class Page {
 
     // To the stored state nearest to a tick.
     seek(tick) {
+        if (this.live?.on) return this.live.seek(tick);
         this.slide.seek(this.slide.tickOf(this.slide.frameNear(clamp(tick, 0, this.info.last))));
         this.touched = true;
         part('welcome').hidden = true;
@@ -141,11 +151,13 @@ class Page {
     // By stored states.
     step(frames) {
         this.play(false);
+        if (this.live?.on) return this.live.seek(clamp(this.slide.tick + frames * this.info.every, 0, this.live.status.known));
         this.seek((this.slide.frameNear(this.slide.tick) + frames) * this.info.every);
         this.stir();
     }
 
     play(on) {
+        if (this.live?.on) return this.live.pause(!on);
         if (on === this.playing) return;
         if (on && (!this.touched || this.slide.tick >= this.info.last)) this.seek(0);
         this.playing = on;
@@ -157,14 +169,23 @@ class Page {
         this.draw();
     }
 
+    get end() {
+        return this.live?.on ? this.live.status.known : this.info.last;
+    }
+
     showTime() {
-        const {tick} = this.slide, {last} = this.info, scrub = part('scrub');
+        const {end: last, slide: {tick}} = this, scrub = part('scrub');
         const share = tick / Math.max(1, last), now = number(this.seconds(tick), 1);
-        scrub.value = this.slide.frameNear(tick);
+        if (this.live?.on) scrub.max = last, scrub.value = tick, this.whole.textContent = ` of ${number(this.seconds(last), 1)} s`;
+        else scrub.value = this.slide.frameNear(tick);
         scrub.setAttribute('aria-valuetext', `${now} seconds of ${number(this.seconds(last), 1)}`);
         part('track').style.setProperty('--played', share);
         this.clock.textContent = `${now} s`;
         this.showPoint();
+    }
+
+    turnPlay() {
+        this.play(this.live?.on ? this.live.paused : !this.playing);
     }
 
     // ---- colours and points ----
@@ -198,7 +219,8 @@ class Page {
 
     // The mouse is at a place; null: it left.
     pointAt(place) {
-        this.hover = place && !this.pin ? this.pick(...place) : null;
+        this.hover = place && (!this.pin || this.live?.on) ? this.pick(...place) : null;
+        if (this.live?.on) this.stir();
         this.showPoint();
     }
 
@@ -234,7 +256,7 @@ class Page {
         info.overlays.forEach(({name}, i) => add(part('overlay'), 'option', name).value = i + 1);
         part('scrub').max = info.frames - 1;
         this.clock = add(part('clock'), 'span');
-        add(part('clock'), 'small', ` of ${number(this.seconds(info.last), 1)} s`);
+        this.whole = add(part('clock'), 'small', ` of ${number(this.seconds(info.last), 1)} s`);
         this.drawCurve();
     }
 
@@ -256,9 +278,9 @@ class Page {
             this.play(true);
             part('play').focus({focusVisible: false});
         });
-        on('play', 'click', () => this.play(!this.playing));
+        on('play', 'click', () => this.turnPlay());
         on('scrub', 'input', ({target}) => {
-            const tick = this.slide.tickOf(Number(target.value));
+            const tick = this.live?.on ? Number(target.value) : this.slide.tickOf(Number(target.value));
             this.play(false);
             this.seek(tick);
             this.stir();
@@ -271,6 +293,8 @@ class Page {
         });
         on('help', 'click', () => part('keys').showModal());
         addEventListener('hashchange', () => this.seekAddress());
+        if (this.live) this.live.listen();
+        for (const element of [part('take-over'), ...document.querySelectorAll('.plays')]) element.hidden = !this.live;
         new ResizeObserver(() => this.draw()).observe(canvas);
         const bar = document.querySelector('footer');
         new ResizeObserver(() => document.body.style.setProperty('--bar', `${bar.offsetHeight}px`)).observe(bar);
@@ -331,6 +355,7 @@ class Page {
             },
             get tick() { return slide.tick; },
             get playing() { return page.playing; },
+            live: this.live,
             get frames() { return page.frames; },
             get scale() { return page.scale; },
         };

@@ -87,6 +87,7 @@ class VeilMap {
 
 class PowderPuffs {
     constructor(slide, constants) {
+        this.slide = slide;
         this.tickSeconds = slide.info.tick_s;
         this.shadowRadii = constants.POWDER_SHADOW;
         const get = name => slide.array('puffs.' + name);
@@ -103,6 +104,7 @@ class PowderPuffs {
 
     // The puffs in the air at a tick.
     at(tick) {
+        if (this.slide.live) return this.ofWorld(this.slide.live.puffs);
         const puffs = [];
         if (!this.born) return puffs;
         let first = 0, end = this.born.length;  // they are sorted by birth
@@ -114,9 +116,7 @@ class PowderPuffs {
         for (let i = first; i < this.born.length && this.born[i] <= tick; ++i) {
             const age = (tick - this.born[i]) * this.tickSeconds, a = age / this.life[i];
             if (a >= 1) continue;
-            const radius = this.radius[i] * (1 + kGrowth * a * (2 - a));
-            const opacity = this.density[i] * smoothstep(0, kFadeIn, age) *
-                (1 - smoothstep(0, 0.8, a) * (0.75 + 0.25 * smoothstep(0.5, 1, a)));
+            const radius = this.radius[i] * this.grown(a), opacity = this.density[i] * this.shown(age, a);
             // A parabola through its places at birth, in the middle and at the end of its life; the slide has the ways
             // from one to the next.
             const half = a * (3 - 2 * a), end = a * (2 * a - 1), [first, toHalf, toEnd] = this.places;
@@ -124,6 +124,26 @@ class PowderPuffs {
             puffs.push({number: i, at, radius, opacity, age, a, lower: this.lower[i], turn: this.seed[i] / 256});
         }
         return puffs;
+    }
+
+    // Of a world that goes on, in the order of sim::powder::Puff.
+    ofWorld(numbers) {
+        const whole = new Uint32Array(numbers.buffer, numbers.byteOffset, numbers.length), puffs = [];
+        for (let i = 0; i < numbers.length; i += kPuffNumbers) {
+            const age = numbers[i + 7], a = age / numbers[i + 8];
+            puffs.push({number: i, at: [...numbers.subarray(i, i + 3)], radius: numbers[i + 6] * this.grown(a),
+                        opacity: numbers[i + 9] * this.shown(age, a), age, a, lower: numbers[i + 10],
+                        turn: (whole[i + 11] & 255) / 256});
+        }
+        return puffs;
+    }
+
+    // By its age, s, and the share of its life: first radii, and the share of its density that is seen.
+    grown(a) {
+        return 1 + kGrowth * a * (2 - a);
+    }
+    shown(age, a) {
+        return smoothstep(0, kFadeIn, age) * (1 - smoothstep(0, 0.8, a) * (0.75 + 0.25 * smoothstep(0.5, 1, a)));
     }
 
     // Finds those that are drawn, from far to near. `sun`: unit vector. Returns whether there are any.

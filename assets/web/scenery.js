@@ -141,13 +141,13 @@ class Scenery {
         if (!trees) return;
         const key = [...view.clip, view.pixel].join();
         if (key !== this.treesKey) trees.find(view, onScreen);
-        if (key !== this.treesKey || this.treesTick !== this.slide.tick) {
+        if (key !== this.treesKey || this.treesVersion !== this.slide.version) {
             const rows = trees.settle(), width = kTreeNumbers / 4 * kTreesInARow;
             const numbers = trees.drawn.subarray(0, 4 * width * rows);
             if (rows > 0) gpu.upload(slots.SLOT_UNITS, this.treeTexture, width, rows, numbers);
         }
         this.treesKey = key;
-        this.treesTick = this.slide.tick;
+        this.treesVersion = this.slide.version;
         gpu.bind(slots.SLOT_TREE_PICTURES, this.treePictures);
         gpu.enabled([gl.DEPTH_TEST], () => {
             this.drawShadows(() => gpu.drawNumbers(shaders.treeShadow, 0, 3 * trees.withShadow));

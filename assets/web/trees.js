@@ -5,6 +5,8 @@ const kMeanWidth = 5, kMostTogether = 20;  // m; trees that one stands for
 const kGroup = 8, kWidthOfGroup = 0.75, kTaller = 0.4;
 const kLongestShadow = 36, kShadowPixels = 7;  // m; height below which a tree casts none
 const kCrushed = 0.65, kLaid = 1.5;  // width of a lying tree, of a standing one's; rad
+const kShallow = 0.15, kDeep = 0.6, kSlow = 1.5, kFast = 4.5;  // m and m/s: a flow bends a tree from the first on
+const kLies = 0.5;  // of being laid down, from which it is drawn so
 const kLean = 0.05, kMostLean = 0.22, kLeaning = 0.06;  // tangents of standing ones; share of those that lean most
 const kTreeNumbers = 20;  // numbers of a drawn tree: struct Tree of tree.glsl
 const kTreesInARow = 256;  // of their texture: tree_texture.glsl
@@ -138,9 +140,19 @@ class TreesInView {
         this.drawn.set(this.first);
         for (const {i, at, vertex} of this.onGrid) {
             this.drawn[at + 2] -= Math.max(this.snow[i] - depth[vertex], 0);
-            if (this.falls[i] <= frame) this.lay(i, this.drawn.subarray(at, at + kTreeNumbers));
+            if (this.lies(i, vertex, frame)) this.lay(i, this.drawn.subarray(at, at + kTreeNumbers));
         }
         return Math.ceil(this.standing.length / kTreesInARow);
+    }
+
+    // In a world that goes on by what the flow has done at its stem, as render/woods/trees_in_view.cpp finds it.
+    lies(i, vertex, frame) {
+        const {live, peakDepth, peakSpeed} = this.slide;
+        if (!live) return this.falls[i] <= frame;
+        if (live.stands) return live.stands[vertex] === 0;
+        const strength = 0.7 + 0.6 * this.own(i, 19.1);
+        return smoothstep(kShallow * strength, kDeep * strength, peakDepth[vertex]) *
+            smoothstep(kSlow, kFast, peakSpeed[vertex]) >= kLies;
     }
 
     own(i, factor) {

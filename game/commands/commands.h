@@ -39,9 +39,10 @@ struct PictureOptions {
 struct WebOptions {
     std::optional<std::filesystem::path> file;
     std::uint64_t most_bytes = PageOptions().most_bytes;
+    bool watch_only = false;
 };
 inline PageOptions page_options(const WebOptions& web, const PictureOptions& pictures) {
-    return {pictures.every.value_or(PageOptions::kEvery), web.most_bytes, std::nullopt};
+    return {pictures.every.value_or(PageOptions::kEvery), web.most_bytes, std::nullopt, !web.watch_only};
 }
 
 // What `run` and `replay` write of the session that they play.

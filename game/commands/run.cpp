@@ -137,9 +137,8 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
 // A failure that also says where the recording is whose name this run has taken.
 Failure with_replaced(Failure failure, const Session& session) {
     if (session.recorder() && session.recorder()->replaced())
-        failure.sentence +=
-            fmt::format("; what {} held before is kept as {}", session.recorder()->name(),
-                        *session.recorder()->replaced());
+        failure.sentence += fmt::format("; what {} held before is kept as {}", session.recorder()->name(),
+                                        *session.recorder()->replaced());
     return failure;
 }
 

@@ -156,7 +156,7 @@ Outcome<bool> LiveWorld::seek(std::int64_t tick, int most_ticks) {
 }
 
 Outcome<void> LiveWorld::take_over() {
-    if (const auto verdict = sandbox_.verdict()) {
+    if (const auto verdict = sandbox_.verdict(); verdict && sandbox_.watches()) {
         if (verdict->parted)
             return unusable(fmt::format("This browser computes another slide: {}. It can be watched only",
                                         *verdict->parted));
@@ -241,11 +241,12 @@ Json LiveWorld::facts() const {
     const Scenario& scenario = sandbox_.scenario();
     const RadiusRange radius = radius_range(scenario.grid);
     Json tools = Json::array();
+    // A page draws no new houses and no planted forest.
     for (const ToolInfo& info : tool_infos()) {
         const auto allowed = [&](const Deed& deed) {
             return !scenario.goal || tool_of(*scenario.goal, deed.kind);
         };
-        if (!allowed(*info.plain)) continue;
+        if (!allowed(*info.plain) || info.group == ToolGroup::kThings) continue;
         Json tool = json_of(info);
         for (const auto& [key, deed] : {std::pair("control", info.control), std::pair("shift", info.shift)})
             if (!allowed(*deed)) tool[key] = json_of(*info.plain);

@@ -10,6 +10,8 @@
 
 #include "game/base/limits.h"
 #include "game/live/live_world.h"
+#include "game/recording/live_mark.h"
+#include "render/mountain/drawn_mixture.h"
 #include "sim/core/float_environment.h"
 #include "terrains/json_reader.h"
 
@@ -23,6 +25,7 @@ constexpr terrains::JsonLimits kQuestion{.depth = 4, .values = 64, .members = 16
 
 std::string given, told;  // the texts that came in and go out
 std::optional<LiveWorld> world;
+std::vector<std::uint8_t> drawn_mixture, standing;  // for the page, as they were last asked for
 
 int fails(std::string sentence) {
     told = std::move(sentence);
@@ -130,14 +133,26 @@ EXPORTED(recorded) int recorded() {
     return text ? says(std::move(*text)) : fails(text.error());
 }
 
-// How the replay has compared with the recording: 1 exact so far, 0 not proven, −1 it differs. Out: in words.
+// How the replay has compared with what is watched: 1 exact so far, 0 not proven. Out, if it differs: where.
 EXPORTED(verdict) int verdict() {
     const auto found = world->sandbox().verdict();
     if (!found) return fails("nothing is watched");
-    told = std::string(to_string(found->kind())) + ", " + std::to_string(found->compared) +
-           " states, up to tick " + std::to_string(found->proven_tick);
-    if (found->parted) told += "; " + *found->parted;
-    return found->parted ? kFailed : found->kind() == Verdict::Kind::kExact ? kDone : kNot;
+    if (found->parted) return fails(*found->parted);
+    return found->kind() == Verdict::Kind::kExact ? kDone : kNot;
+}
+// How many ticks have been compared, and until which every recorded state is equal; −1: none.
+EXPORTED(compared) double compared() {
+    const auto found = world->sandbox().verdict();
+    return found ? static_cast<double>(found->compared) : 0;
+}
+EXPORTED(proven_until) double proven_until() {
+    const auto found = world->sandbox().verdict();
+    return found ? static_cast<double>(found->proven_tick) : -1;
+}
+
+// What tells a program that this module is its own.
+EXPORTED(mark) const char* mark() {
+    return kLiveMark.data();
 }
 
 // Fields: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
@@ -160,6 +175,20 @@ EXPORTED(field) const float* field(int which) {
 EXPORTED(peak) const float* peak(int which) {
     const Peaks& peaks = world->sandbox().session().peaks();
     return which == 0 ? peaks.depth.data() : peaks.speed_plan.data();
+}
+// Two bytes per vertex of a world with two materials, as render::drawn_mixture() makes them; else null.
+EXPORTED(mixture) const std::uint8_t* mixture() {
+    render::drawn_mixture(world->sandbox().session().view(), drawn_mixture);
+    return drawn_mixture.empty() ? nullptr : drawn_mixture.data();
+}
+// Stems that stand at each vertex, if the woods act; else null.
+EXPORTED(stands) const std::uint8_t* stands() {
+    const sim::State& s = state();
+    if (!s.things || !world->sandbox().scenario().woods_act()) return nullptr;
+    standing.clear();
+    for (int y = 0; y < s.grid.ny; ++y)
+        for (int x = 0; x < s.grid.nx; ++x) standing.push_back(s.things->forest(x, y).standing > 0 ? 1 : 0);
+    return standing.data();
 }
 // sim::powder::Puff, one after the other.
 EXPORTED(puffs) int puffs() {

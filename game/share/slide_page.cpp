@@ -19,6 +19,8 @@
 #include "game/files/text_file.h"
 #include "game/pages/table.h"
 #include "game/recording/base64.h"
+#include "game/recording/live_mark.h"
+#include "game/recording/recorder.h"
 #include "game/share/in_order.h"
 #include "game/share/packed_motion.h"
 #include "game/share/packed_stream.h"
@@ -52,7 +54,9 @@ constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms th
 constexpr std::array kScripts{
     "fields.js",      "camera.js", "gpu.js",        "frame_block.js", "shaders.js", "small_relief.js",
     "slide_tiles.js", "trees.js",  "debris.js",     "powder.js",      "cloud.js",   "scenery.js",
-    "draw.js",        "words.js",  "resolution.js", "hands.js",       "page.js"};
+    "draw.js",        "words.js",  "resolution.js", "hands.js",       "live.js",    "page.js"};
+constexpr const char* kModule = "couloir.wasm";  // and the program of the thread that it runs in
+constexpr const char* kWorker = "live_worker.js";
 
 // Replaces every slot @NAME@ of a text by what belongs there.
 std::string filled(std::string_view text,
@@ -109,6 +113,7 @@ struct PageFiles {
     std::string frame, style, program;
     Json shaders = Json::object();  // text by name: those that the program names
     std::vector<std::uint32_t> tree_pictures;
+    std::string module, worker;  // of a page that plays
 };
 
 // The pictures of trees without their largest level, one number per texel, lowest row first: 4, 4 and 5 bits of its parts.
@@ -135,7 +140,7 @@ Outcome<std::vector<std::uint32_t>> read_tree_pictures(const fs::path& file) {
     return pictures;
 }
 
-Outcome<PageFiles> read_page_files() {
+Outcome<PageFiles> read_page_files(bool plays) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     PageFiles files;
@@ -149,6 +154,15 @@ Outcome<PageFiles> read_page_files() {
     if (auto done = read("page.css", files.style); !done) return tl::unexpected(done.error());
     for (const char* name : kScripts)
         if (auto done = read(name, files.program); !done) return tl::unexpected(done.error());
+    if (plays) {
+        if (auto done = read(kModule, files.module); !done) return tl::unexpected(done.error());
+        if (auto done = read(kWorker, files.worker); !done) return tl::unexpected(done.error());
+        if (files.module.find(kLiveMark) == std::string::npos)
+            return machine_fails(
+                fmt::format("{}: computes another version of the physics than this program; renew it with "
+                            ".ci/wasm --renew, or use --watch-only",
+                            (*assets / "web" / kModule).string()));
+    }
     std::map<std::string, fs::path> shaders;  // in one order everywhere
     for (const fs::path& path : page_assets()) {
         const std::string name = path.filename().string(), kind = path.extension().string();
@@ -324,7 +338,8 @@ struct SlidePage::Parts {
     std::int64_t frames = 0, last_tick = 0;
     std::vector<double> volumes;  // m³ that move, by frame
     double ground_quantum = 0;
-    InOrder packing;  // last, because its thread uses the others
+    std::vector<StateLine> states;  // of the recording of a page that plays
+    InOrder packing;                // last, because its thread uses the others
 
     Parts(const Scenario& of, const sim::State& at_first, std::string with_proof, const PageOptions& with)
         : scenario(of),
@@ -365,6 +380,13 @@ struct SlidePage::Parts {
             static_cast<double>(last_tick) * static_cast<double>(scenario.params.tick_s), what, fact));
     }
 
+    // The state lines of a recording, the last one once.
+    void keep_state(const Session& session) {
+        if (!options.plays) return;
+        if (states.empty() || states.back().tick != session.state().tick)
+            states.push_back(session.state_line());
+    }
+
     Outcome<void> check_things(const sim::State& now) {
         if (!now.things || now.things->changed == things_changed) return {};
         things_changed = now.things->changed;
@@ -387,6 +409,8 @@ struct SlidePage::Parts {
     Outcome<void> flush();
     std::uint64_t bytes_so_far() const;
     Json info(const Session& session, std::span<const TimedCommand> commands) const;
+    Outcome<std::string> recording(std::span<const TimedCommand> commands) const;
+    Outcome<std::pair<std::string, Json>> world(std::span<const TimedCommand> commands) const;
 };
 
 // What is known before the first frame.
@@ -506,6 +530,35 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
     return json;
 }
 
+// The slide as a recording, from its own states.
+Outcome<std::string> SlidePage::Parts::recording(std::span<const TimedCommand> commands) const {
+    Header header;
+    header.scenario = scenario;
+    auto recorder = Recorder::create(in_memory(scenario.scene), header);
+    if (!recorder) return tl::unexpected(recorder.error());
+    auto command = commands.begin();
+    for (const StateLine& state : states) {
+        // A command applies at the start of its tick, so it follows that tick's state line.
+        for (; command != commands.end() && command->tick < state.tick; ++command)
+            if (auto written = recorder->command(*command); !written) return tl::unexpected(written.error());
+        if (auto written = recorder->state(state); !written) return tl::unexpected(written.error());
+    }
+    return recorder->copy_ended_at(states.back().tick, nullptr);
+}
+
+// What a page that plays has besides: module, program of its thread and recording, and how they follow each other.
+Outcome<std::pair<std::string, Json>> SlidePage::Parts::world(std::span<const TimedCommand> commands) const {
+    if (!options.plays) return std::pair(std::string(), Json(nullptr));
+    const auto text = recording(commands);
+    if (!text) return tl::unexpected(text.error());
+    PackedStream packed;
+    packed.add("module", std::string_view(files.module));
+    packed.add("worker", std::string_view(files.worker));
+    packed.add("recording", std::string_view(*text));
+    std::string bytes = to_base64(packed.finish());
+    return std::pair(std::move(bytes), Json{{"name", one_line(scenario.scene)}, {"parts", packed.parts()}});
+}
+
 SlidePage::SlidePage(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 SlidePage::~SlidePage() = default;
 SlidePage::SlidePage(SlidePage&&) noexcept = default;
@@ -516,7 +569,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
     if (scenario.flow)
         return unusable(fmt::format(
             "--web: {} shows how fronts are tracked and has no slide; --frames draws it", scenario.scene));
-    auto files = read_page_files();
+    auto files = read_page_files(options.plays);
     if (!files) return tl::unexpected(files.error());
     const sim::View world = session.view();
     auto parts = std::make_unique<Parts>(scenario, session.state(), std::move(proof), options);
@@ -533,6 +586,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
                              .height = kHeight,
                              .first_depth = scenario.depth};
     parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
+    parts->keep_state(session);
     auto given = parts->give(session, [p = parts.get()](const Moment& moment) -> Outcome<void> {
         if (auto packed = p->pack_start(moment); !packed) return packed;
         return p->add_frame(moment);
@@ -542,6 +596,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
 }
 
 Outcome<void> SlidePage::see(const Session& session) {
+    if (session.state().tick % kTicksPerState == 0) parts_->keep_state(session);
     if (session.state().tick % parts_->options.every != 0) return {};
     return parts_->give(session, [p = parts_.get()](const Moment& moment) { return p->add_frame(moment); });
 }
@@ -549,6 +604,7 @@ Outcome<void> SlidePage::see(const Session& session) {
 Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& session,
                                      std::span<const TimedCommand> commands) {
     Parts& p = *parts_;
+    p.keep_state(session);
     if (session.state().tick != p.given)
         if (auto given = p.give(session, [&p](const Moment& moment) { return p.add_frame(moment); }); !given)
             return tl::unexpected(given.error());
@@ -563,13 +619,20 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
 
-    const std::string title = html_text(one_line(p.scenario.title)),
-                      slide = in_script(p.info(session, commands));
+    const auto world = p.world(commands);
+    if (!world) return tl::unexpected(world.error());
+    Json info = p.info(session, commands);
+    info["live"] = world->second;
+    const std::string title = html_text(one_line(p.scenario.title)), slide = in_script(info);
     const std::array<std::pair<std::string_view, std::string_view>, 1> program{
         {{"@PROGRAM@", p.files.program}}};
     const std::string frame = filled(p.files.frame, program), scripts = names_of_scripts(frame);
-    const std::array<std::pair<std::string_view, std::string_view>, 5> slots{{{"@TITLE@", title},
+    const std::string_view policy =
+        p.options.plays ? " 'wasm-unsafe-eval'; worker-src blob:" : std::string_view();
+    const std::array<std::pair<std::string_view, std::string_view>, 7> slots{{{"@TITLE@", title},
                                                                               {"@SCRIPTS@", scripts},
+                                                                              {"@POLICY@", policy},
+                                                                              {"@WORLD@", world->first},
                                                                               {"@STYLE@", p.files.style},
                                                                               {"@SLIDE@", slide},
                                                                               {"@FIELDS@", fields}}};

@@ -19,6 +19,7 @@ struct PageOptions {
     std::int64_t every = kEvery;               // ticks between two states that are kept
     std::uint64_t most_bytes = 32'000'000;     // of the page
     std::optional<render::Camera> camera = std::nullopt;  // none: the scenario's, or else a landscape view
+    bool plays = true;  // the page has the world itself, so that whoever opens it can take over
 };
 
 struct PageReport {
@@ -26,14 +27,15 @@ struct PageReport {
     std::int64_t frames = 0;
 };
 
-// Writes a slide as one web page that plays it in a browser, with its numbers and its state hash. The page has
+// Writes a slide as one web page that plays it in a browser, with its numbers and its state hash, and lets a person take it
+// over there: it has the recording and the module that computes it (game/live). The page has
 // everything: the program and shaders of assets/web and assets/shaders, and the states as whole quanta. Equal slides
 // give equal pages. A view: it never affects the world. docs/web.md has the format.
 class SlidePage {
   public:
     // `session` at tick 0, following powder if the page is to have it. `proof`: the command that repeats the slide.
     // Errors: a flow scene has no slide, and a page shows no sculpted ground and no planted forest (status 2); the page's
-    // files are missing (status 3).
+    // files are missing, or its module is of another version of the physics (status 3).
     static Outcome<SlidePage> begin(const Scenario& scenario, const Session& session, std::string proof,
                                     const PageOptions& options);
     ~SlidePage();

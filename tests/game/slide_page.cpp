@@ -269,22 +269,28 @@ TEST(Sha256, is_that_of_the_standard) {
 TEST_F(SlidePages, let_only_their_own_scripts_run) {
     Scene scene = scene_of("landslide", 16);
     scene.scenario.title = "<script>alert(1)</script>";
-    ASSERT_TRUE(write(scene, 6));
-    const std::string html = read_bytes(file());
-    const std::string begin = "http-equiv=\"Content-Security-Policy\" content=\"";
-    const auto at = html.find(begin) + begin.size();
-    const std::string policy = html.substr(at, html.find('"', at) - at);
-    for (const char* rule : {"default-src 'none'", "base-uri 'none'", "form-action 'none'"})
-        EXPECT_NE(policy.find(rule), std::string::npos) << policy;
-    const auto scripts = policy.find("script-src "), end = policy.find(';', scripts);
-    std::string expected = "script-src";
-    for (auto from = html.find("<script>"); from != std::string::npos; from = html.find("<script>", from)) {
-        from += std::string("<script>").size();
-        const auto digest = sha256(html.substr(from, html.find("</script>", from) - from));
-        expected += " 'sha256-" + to_base64(std::string(digest.begin(), digest.end())) + "'";
+    for (const bool plays : {false, true}) {
+        ASSERT_TRUE(write(scene, 6, {.plays = plays}));
+        const std::string html = read_bytes(file());
+        const std::string begin = "http-equiv=\"Content-Security-Policy\" content=\"";
+        const auto at = html.find(begin) + begin.size();
+        const std::string policy = html.substr(at, html.find('"', at) - at);
+        for (const char* rule : {"default-src 'none'", "base-uri 'none'", "form-action 'none'"})
+            EXPECT_NE(policy.find(rule), std::string::npos) << policy;
+        const auto scripts = policy.find("script-src "), end = policy.find(';', scripts);
+        std::string expected = "script-src";
+        for (auto from = html.find("<script>"); from != std::string::npos;
+             from = html.find("<script>", from)) {
+            from += std::string("<script>").size();
+            const auto digest = sha256(html.substr(from, html.find("</script>", from) - from));
+            expected += " 'sha256-" + to_base64(std::string(digest.begin(), digest.end())) + "'";
+        }
+        EXPECT_EQ(std::count(expected.begin(), expected.end(), ' '), 2);
+        // A world needs its module, and a thread made from the page's own text.
+        if (plays) expected += " 'wasm-unsafe-eval'";
+        EXPECT_EQ(policy.substr(scripts, end - scripts), expected);
+        EXPECT_EQ(policy.find("worker-src blob:;") != std::string::npos, plays) << policy;
     }
-    EXPECT_EQ(policy.substr(scripts, end - scripts), expected);
-    EXPECT_EQ(std::count(expected.begin(), expected.end(), ' '), 2);
 }
 
 TEST_F(SlidePages, that_are_too_large_are_refused_and_not_written) {

@@ -1,0 +1,496 @@
+// Takes the slide over: the world goes on in this page, and a hand acts on it. The world itself is in live_worker.js.
+
+const kMostDue = 15;        // ticks that one answer may take; what is late beyond that is left out
+const kSilent = 4000;       // ms without an answer, after which the page says so
+const kRadiusSteps = 200;   // of the slider, over the logarithm of its range
+
+// Whether this browser runs the module: WebAssembly with 128-bit lanes (the smallest function that has one).
+function runsModules() {
+    const smallest = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
+    return Boolean(globalThis.WebAssembly && globalThis.Worker && WebAssembly.validate(new Uint8Array(smallest)));
+}
+
+// A number as its tool words it: printf with one %.Nf.
+const worded = (format, value) =>
+    format.replace(/%\.(\d)f/, (_, digits) => number(value, Number(digits))).replaceAll('%%', '%');
+
+class Live {
+    constructor(page) {
+        this.page = page;
+        this.slide = page.slide;
+        this.questions = new Map();  // that wait for an answer, by number
+        this.asked = 0;
+        this.turn = Promise.resolve();
+        this.hand = [];              // what the hand did since the last step
+        this.held = null;            // {x, y}: the ground under a held button
+        this.paused = false;
+        this.due = 0;                // ticks
+        this.settings = new Map();   // of each tool: its numbers
+        this.on = false;             // since a person has taken over
+    }
+
+    // ---- the worker ----
+
+    // Starts the world and its proof, once: both take a while, and nothing waits for them.
+    begin() {
+        return this.begun ??= this.start();
+    }
+
+    async start() {
+        const carried = part('world'), {parts, name} = this.page.info.live;
+        let pieces;
+        try {
+            pieces = await unzip(carried.textContent.trim(), parts);
+        } catch (cause) {
+            throw new Error('The world in this page is damaged, so it can be watched only. Copy or download the file again.', {cause});
+        }
+        carried.remove();
+        const text = which => new TextDecoder().decode(pieces.get(which));
+        const address = URL.createObjectURL(new Blob([text('worker')], {type: 'text/javascript'}));
+        this.worker = new Worker(address);
+        URL.revokeObjectURL(address);
+        this.worker.onmessage = ({data}) => this.hear(data);
+        this.worker.onerror = event => this.end(event.message || 'its thread has stopped');
+        const {facts} = await this.ask('open', {bytes: pieces.get('module'), name, recording: text('recording')});
+        this.facts = facts;
+        for (const tool of facts.tools) this.settings.set(tool.name, tool.numbers.map(each => each.usual));
+        this.fillTools();
+    }
+
+    // Asks the worker, one question after another.
+    ask(kind, data = {}) {
+        const asked = this.turn.then(() => this.askNow(kind, data));
+        this.turn = asked.catch(() => {});
+        return asked;
+    }
+
+    askNow(kind, data) {
+        if (this.ended) throw new Error(this.ended);
+        const id = ++this.asked, spare = this.spare;
+        this.spare = undefined;
+        const waits = setTimeout(() => this.tell('Computing…'), kSilent);
+        return new Promise((done, failed) => {
+            this.questions.set(id, {done, failed});
+            this.worker.postMessage({id, kind, spare, ...data}, spare ? Object.values(spare).map(array => array.buffer) : []);
+        }).finally(() => clearTimeout(waits));
+    }
+
+    hear({id, failed, proof, ...answer}) {
+        if (proof) {
+            this.proof = proof;
+            return;
+        }
+        const question = this.questions.get(id);
+        this.questions.delete(id);
+        if (failed !== undefined) question.failed(new Error(failed));
+        else question.done(answer);
+    }
+
+    // The world is lost; the page goes on as a picture.
+    end(sentence) {
+        this.ended = `The world of this page has ended: ${sentence}. Load the page again to go on.`;
+        for (const {failed} of this.questions.values()) failed(new Error(this.ended));
+        this.questions.clear();
+        this.worker?.terminate();
+        this.tell(this.ended);
+    }
+
+    // ---- taking over ----
+
+    async takeOver() {
+        if (this.on || this.taking) return;
+        const {page, slide} = this, button = part('take-over');
+        this.taking = true;
+        button.disabled = true;
+        part('take-over-word').textContent = 'Taking over…';
+        page.play(false);
+        try {
+            await this.begin();
+            const tick = slide.tickOf(slide.frameNear(slide.tick)), began = performance.now();
+            const answer = await this.ask('takeOver', {tick});
+            this.took = performance.now() - began;
+            this.on = true;
+            this.show(answer);
+        } catch (error) {
+            this.tell(error.message);
+            part('take-over-word').textContent = 'Take over';
+            button.disabled = false;
+            return;
+        } finally {
+            this.taking = false;
+        }
+        button.hidden = true;
+        part('live').hidden = false;
+        document.documentElement.dataset.live = 'on';
+        part('scrub').min = 0;
+        this.showTask();
+        this.choose(this.facts.tools[0].name);
+        this.wake();
+        say('You have taken over. What you do is recorded.');
+    }
+
+    // Shows an answer of the worker.
+    show({status, shown, said}) {
+        const {slide, page} = this;
+        this.spare = {depth: shown.depth, rolling: shown.rolling, speed: shown.speed, along_y: shown.along_y};
+        slide.become(status.tick, shown);
+        this.status = status;
+        this.puffs = shown.puffs;
+        if (said) this.tell(said);
+        this.showStatus();
+        page.showTime();
+        page.stir();
+    }
+
+    // What is done to the world besides time: undo, going back, a new beginning.
+    async change(kind, data = {}) {
+        this.due = 0;
+        this.hand = [];
+        this.held = null;
+        try {
+            const answer = await this.ask(kind, data);
+            this.show(answer);
+            if (answer.name) this.tell(`${kind === 'undo' ? 'Undone' : 'Redone'}: ${answer.name}`);
+        } catch (error) {
+            this.tell(error.message);
+        }
+        this.wake();
+    }
+
+    // ---- time ----
+
+    pause(on) {
+        this.paused = on;
+        this.showPlaying();
+        this.wake();
+    }
+
+    showPlaying() {
+        const playing = !this.paused;
+        part('play').classList.toggle('on', playing);
+        part('play-word').textContent = playing ? 'Pause' : 'Play';
+    }
+
+    // Whether there is anything to compute: the hand acts, or time runs and something moves or is still to come.
+    get goesOn() {
+        if (this.ended || document.hidden) return false;
+        if (this.held || this.hand.length > 0) return true;
+        const waits = this.facts.goal && !this.status.card;
+        return !this.paused && (!this.status.rests || waits || this.status.looks_back);
+    }
+
+    wake() {
+        if (!this.on || this.running) return;
+        this.running = true;
+        this.run().catch(error => this.tell(error.message)).finally(() => this.running = false);
+    }
+
+    async run() {
+        const {page} = this, tickS = page.info.tick_s;
+        let last = performance.now();
+        while (this.goesOn) {
+            await new Promise(requestAnimationFrame);
+            const now = performance.now();
+            const runs = !this.paused || (this.held && this.deed.acts === 'always');
+            if (runs) this.due = Math.min(this.due + (now - last) / 1000 / tickS * page.rate, kMostDue);
+            last = now;
+            let ticks = Math.floor(this.due);
+            if (!runs && this.hand.length > 0 && await this.actsNow()) ticks = 1;
+            if (ticks === 0 && this.hand.length === 0) continue;
+            this.due = Math.max(this.due - ticks, 0);
+            const hand = this.takeHand();
+            const began = performance.now();
+            const answer = await this.ask('step', {ticks, hand});
+            if (ticks > 0) this.msPerTick = (performance.now() - began) / ticks;
+            this.show(answer);
+        }
+        this.due = 0;
+        page.draw();
+    }
+
+    // In a pause time moves for what acts at once.
+    async actsNow() {
+        await this.ask('step', {ticks: 0, hand: this.takeHand()}).then(answer => this.show(answer));
+        return (await this.ask('wouldAct')).acts;
+    }
+
+    takeHand() {
+        return this.hand.splice(0);
+    }
+
+    seek(tick) {
+        return this.change('seek', {tick: Math.round(tick)});
+    }
+
+    // ---- the hand ----
+
+    get tool() {
+        return this.facts?.tools.find(tool => tool.name === this.chosen);
+    }
+    get deed() {
+        return this.tool?.[this.with ?? 'plain'];
+    }
+    // Radius of the ring that shows what a deed reaches, m.
+    get reach() {
+        return this.deed.radius ? this.radius : 1.5 * this.slide.info.grid.dx;
+    }
+
+    choose(name) {
+        const tool = this.facts.tools.find(each => each.name === name);
+        if (!tool) return;
+        this.chosen = name;
+        this.setBrush({tool: name});
+        for (const button of part('tools').children) {
+            const chosen = button.dataset.tool === name;
+            button.setAttribute('aria-checked', chosen);
+            if (chosen) button.scrollIntoView({block: 'nearest', inline: 'nearest'});
+        }
+        this.fillSettings();
+        say(`${tool.plain.label}: ${tool.tooltip}`);
+    }
+
+    setBrush(brush) {
+        this.hand.push(['brush', brush]);
+        this.wake();
+    }
+
+    // A button or a finger goes down on the ground. Returns whether it acts.
+    press(place, shift, control) {
+        if (!this.on || !this.tool) return false;
+        const at = this.page.pick(...place);
+        if (!at) return false;
+        if (this.status.looks_back) {
+            this.tell('This is the past. Press "Continue from here" to act in it.');
+            return true;
+        }
+        this.with = shift ? 'shift' : control ? 'control' : 'plain';
+        this.held = at;
+        this.hand.push(['press', shift ? 1 : 0, control ? 1 : 0, at.x, at.y]);
+        this.wake();
+        return true;
+    }
+    move(place) {
+        const at = this.page.pick(...place);
+        this.hand.push(at ? ['move', at.x, at.y] : ['leave']);
+        if (at) this.held = at;
+        this.page.hover = at;
+        this.wake();
+    }
+    release() {
+        this.held = null;
+        this.with = 'plain';
+        this.hand.push(['release']);
+        this.wake();
+    }
+
+    // ---- buttons and words ----
+
+    fillTools() {
+        const bar = part('tools');
+        for (const {name, key, tooltip, plain} of this.facts.tools) {
+            const button = add(bar, 'button');
+            button.type = 'button';
+            button.dataset.tool = name;
+            button.title = `${tooltip} (${key})`;
+            button.setAttribute('role', 'radio');
+            button.setAttribute('aria-checked', false);
+            button.append(iconOf(plain.icon));
+            add(button, 'span', plain.label);
+            button.addEventListener('click', () => this.choose(name));
+        }
+        const [least, most] = this.facts.radius;
+        this.radius = this.facts.brush.radius;
+        this.radiusOf = value => least * Math.pow(most / least, value / kRadiusSteps);
+        this.stepOf = radius => kRadiusSteps * Math.log(radius / least) / Math.log(most / least);
+    }
+
+    // Sliders of the chosen tool.
+    fillSettings() {
+        const box = part('settings'), {tool} = this;
+        box.replaceChildren();
+        const slider = (label, title, from, to, step, value, words, changed) => {
+            const row = add(box, 'label'), text = add(row, 'span', words(value)), range = add(row, 'input');
+            row.title = title;
+            Object.assign(range, {type: 'range', min: from, max: to, step, value});
+            range.setAttribute('aria-label', label);
+            range.setAttribute('aria-valuetext', words(value));
+            range.addEventListener('input', () => {
+                text.textContent = words(Number(range.value));
+                range.setAttribute('aria-valuetext', text.textContent);
+                changed(Number(range.value));
+            });
+        };
+        if (tool.plain.radius)
+            slider('Radius', 'Radius of the brush. [ and ] change it.', 0, kRadiusSteps, 1, this.stepOf(this.radius),
+                   value => `Radius ${number(this.radiusOf(value), 0)} m`, value => this.setRadius(this.radiusOf(value)));
+        const values = this.settings.get(tool.name);
+        tool.numbers.forEach((each, i) => {
+            // Fine where the numbers are small.
+            const ratio = each.most / each.least, of = value => each.least * Math.pow(ratio, value / kRadiusSteps);
+            slider(each.label, each.tooltip, 0, kRadiusSteps, 1, kRadiusSteps * Math.log(values[i] / each.least) / Math.log(ratio),
+                   value => worded(each.format, of(value)), value => {
+                       values[i] = clamp(of(value), each.least, each.most);
+                       this.setBrush({numbers: values});
+                   });
+        });
+        if (tool.plain.layer) {
+            const row = add(box, 'label'), box_ = add(row, 'input');
+            box_.type = 'checkbox';
+            box_.checked = this.standing ?? false;
+            add(row, 'span', 'lies still');
+            row.title = 'Pour onto the layer that lies, instead of into the flow.';
+            box_.addEventListener('change', () => this.setBrush({standing: this.standing = box_.checked}));
+        }
+    }
+
+    setRadius(radius) {
+        const [least, most] = this.facts.radius;
+        this.radius = clamp(radius, least, most);
+        this.setBrush({radius: this.radius});
+        this.page.stir();
+    }
+
+    showTask() {
+        const {goal} = this.facts;
+        part('task').hidden = !goal;
+        if (goal) part('say').textContent = goal.say;
+    }
+
+    showStatus() {
+        const {status} = this;
+        part('undo').disabled = status.undo === 0;
+        part('redo').disabled = status.redo === 0;
+        part('continue').hidden = !status.looks_back;
+        if (status.left) {
+            part('left').replaceChildren();
+            for (const {kind, left, unit} of status.left) {
+                const tool = this.facts.tools.find(each => each.plain.kind === kind);
+                add(part('left'), 'li', `${tool ? tool.plain.label : kind}: ${number(left)}${unit ? ` ${unit.replace('m3', 'm³')}` : ''} left`);
+            }
+        }
+        if (status.card && this.shownCard !== status.card.tick) this.showCard(status.card);
+        if (!status.card) this.shownCard = undefined;
+        this.showPlaying();
+    }
+
+    showCard(card) {
+        this.shownCard = card.tick;
+        part('verdict').textContent = card.verdict;
+        part('points').textContent = `Score ${number(card.points)}. Bronze from ${this.facts.goal.medals.map(least => number(least)).join(', silver from ').replace(/, silver from ([^,]*)$/, ', gold from $1')}.`;
+        part('reason').textContent = [card.reason, card.advice].filter(Boolean).join(' ');
+        part('learn').textContent = card.won ? this.facts.goal.learn : '';
+        part('needs').replaceChildren();
+        for (const need of card.needs) {
+            const row = part('needs').insertRow();
+            add(row, 'th', `${need.met ? '✓' : '✗'} ${need.what}`).scope = 'row';
+            add(row, 'td', `${need.value}, ${need.bound}`);
+        }
+        part('card').dataset.medal = card.medal;
+        part('card').showModal();
+        say(`${card.verdict}. Score ${card.points}.`);
+    }
+
+    // A sentence for a while.
+    tell(sentence) {
+        const told = part('told');
+        told.textContent = sentence;
+        told.hidden = false;
+        clearTimeout(this.forgets);
+        this.forgets = setTimeout(() => told.hidden = true, 3000 + 60 * sentence.length);
+    }
+
+    // ---- what is kept ----
+
+    async recorded() {
+        const {text} = await this.ask('recorded');
+        return new File([text], `${this.page.info.live.name}-mine.couloir`, {type: 'application/octet-stream'});
+    }
+
+    async save() {
+        try {
+            const file = await this.recorded(), link = document.createElement('a');
+            link.href = URL.createObjectURL(file);
+            link.download = file.name;
+            link.click();
+            setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+            this.tell(`Saved as ${file.name}. "couloir replay ${file.name} --verify" proves it.`);
+        } catch (error) {
+            this.tell(`Not saved: ${error.message}`);
+        }
+    }
+
+    async share() {
+        try {
+            await navigator.share({files: [await this.recorded()], title: this.page.info.title});
+        } catch (error) {
+            if (error.name !== 'AbortError') this.tell(`Not shared: ${error.message}`);
+        }
+    }
+
+    listen() {
+        const on = (id, action) => part(id).addEventListener('click', action);
+        on('take-over', () => this.takeOver());
+        on('undo', () => this.change('undo'));
+        on('redo', () => this.change('redo'));
+        on('again', () => this.change('again'));
+        on('card-again', () => {
+            part('card').close();
+            this.change('again');
+        });
+        on('card-save', () => this.save());
+        on('continue', () => this.change('takeOver', {tick: this.status.tick}));
+        on('save', () => this.save());
+        on('share', () => this.share());
+        part('share').hidden = !navigator.canShare?.({files: [new File([''], 'a.couloir')]});
+        for (const type of ['pointerdown', 'keydown'])
+            addEventListener(type, () => this.begin().catch(error => this.broken = error.message), {once: true});
+        document.addEventListener('visibilitychange', () => this.wake());
+    }
+
+    // Returns whether the key means something here.
+    key({key, ctrlKey, metaKey, shiftKey, code}) {
+        if ((ctrlKey || metaKey) && key.toLowerCase() === 'z') this.change(shiftKey ? 'redo' : 'undo');
+        else if ((ctrlKey || metaKey) && key.toLowerCase() === 'y') this.change('redo');
+        else if (ctrlKey || metaKey) return false;
+        else if (key === '[') this.setRadius(this.radius / 1.15);
+        else if (key === ']') this.setRadius(this.radius * 1.15);
+        else if (key === 'Enter') this.stampMiddle();
+        else {
+            const tool = !shiftKey && this.facts.tools.find(each => each.key.toLowerCase() === key.toLowerCase());
+            if (!tool) return false;
+            this.choose(tool.name);
+        }
+        return true;
+    }
+
+    // By keyboard alone: a short stroke in the middle of the picture.
+    stampMiddle() {
+        const {canvas} = this.page, middle = [canvas.clientWidth / 2, canvas.clientHeight / 2];
+        if (!this.press(middle, false, false)) return this.tell('No ground of the slide is in the middle of the picture');
+        setTimeout(() => this.release(), 400);
+    }
+}
+
+// An icon in a square from −1 to 1, as the program draws it.
+function iconOf(parts) {
+    const {namespaceURI} = document.querySelector('#play svg'), svg = document.createElementNS(namespaceURI, 'svg');
+    svg.setAttribute('viewBox', '-1.15 -1.15 2.3 2.3');
+    svg.setAttribute('aria-hidden', 'true');
+    const shape = (name, attributes) => {
+        const made = svg.appendChild(document.createElementNS(namespaceURI, name));
+        for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    };
+    for (const [kind, ...n] of parts) {
+        if (kind === 'line') shape('path', {d: `M${n[0]} ${n[1]}L${n[2]} ${n[3]}`, class: 'stroke'});
+        if (kind === 'triangle') shape('path', {d: `M${n[0]} ${n[1]}L${n[2]} ${n[3]}L${n[4]} ${n[5]}Z`});
+        if (kind === 'box') shape('path', {d: `M${n[0]} ${n[1]}H${n[2]}V${n[3]}H${n[0]}Z`});
+        if (kind === 'dot') shape('circle', {cx: n[0], cy: n[1], r: n[2]});
+        if (kind === 'ring') shape('circle', {cx: n[0], cy: n[1], r: n[2], class: 'stroke'});
+        if (kind === 'rays')
+            for (let i = 0; i < n[2]; ++i) {
+                const angle = 2 * Math.PI * i / n[2], [x, y] = [Math.sin(angle), Math.cos(angle)];
+                shape('path', {d: `M${n[0] * x} ${n[0] * y}L${n[1] * x} ${n[1] * y}`, class: 'stroke'});
+            }
+    }
+    return svg;
+}
