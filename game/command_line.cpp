@@ -312,14 +312,11 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where, std
     add_gl(app, options.gl);
 }
 
-// The page of a slide, and from where pictures and page are seen.
-void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view) {
-    app.add_option("--web", options.file,
-                   "write one page that plays the slide in any browser, with its numbers; --every is "
-                   "6 ticks there unless given")
-        ->type_name("FILE.html");
+// What a page has, and from where pictures and page are seen.
+template <class Options>
+void add_page(CLI::App& app, Options& options, std::optional<Viewpoint>& view) {
     app.add_flag("--watch-only", options.watch_only,
-                 "leave the world out of the page: nobody can take over, and it is 0.9 MB smaller");
+                 "leave the world out of the page: nobody can take over, and it is 0.7 MB smaller or more");
     add_bytes(app, "--size-limit", options.most_bytes, "8M",
               "refuse a page that is larger; suffixes K, M, G, T [32000000]");
     app.add_option_function<std::string>(
@@ -340,6 +337,15 @@ void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view)
            "look at the place EAST,NORTH (m) from this azimuth (0 north, 90 east; deg), height above the "
            "horizon (2 to 89 deg) and distance (m) [the scene's camera]")
         ->type_name("EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE");
+}
+
+void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view) {
+    app.add_option("--web", options.file,
+                   "write one page that plays the slide in any browser, with its numbers, and lets a person "
+                   "take it over "
+                   "there; --every is 6 ticks there unless given")
+        ->type_name("FILE.html");
+    add_page(app, options, view);
 }
 
 void add_results(CLI::App& app, ResultOptions& options) {
@@ -579,6 +585,16 @@ void add_edit(CLI::App& app, EditOptions& options) {
         ->type_name("NEW.couloir")
         ->required();
     add_telling(app, options, "--maps");
+}
+
+void add_share(CLI::App& app, ShareOptions& options) {
+    app.add_option("world", options.world,
+                   "scene, challenge or recording: a name from `couloir list`, or a file")
+        ->type_name("WORLD")
+        ->required();
+    app.add_option("--out", options.out, "write the page to this file")->type_name("FILE.html")->required();
+    add_page(app, options, options.view);
+    add_memory(app, options.memory);
 }
 
 void add_normalise(CLI::App& app, NormaliseOptions& options) {
@@ -873,6 +889,8 @@ const auto& subcommands() {
                    with(add_play, play)},
         Subcommand{"run", "run a scene or real terrain without a window", with(add_run, run)},
         Subcommand{"replay", "replay a recording bit for bit", with(add_replay, replay)},
+        Subcommand{"share", "write a scene, a challenge or a recording as a web page that others play",
+                   with(add_share, share)},
         Subcommand{"list", "list the shipped scenes, materials, recordings and terrains",
                    with(add_list, list)},
         Subcommand{

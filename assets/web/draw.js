@@ -69,7 +69,7 @@ class Picture {
                                         info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
-        if (info.arrays['built.x'])
+        if (info.arrays['built.x'] || info.live)
             Object.assign(this.programs, {
                 built: add([...lit, 'triangle_height.glsl', 'structure.vert'], [...frame, 'structure.frag']),
                 ropes: add([...lit, 'rope.vert'], ['rope.frag']),
@@ -85,7 +85,8 @@ class Picture {
             this.programs.spindrift = add([...light, 'spindrift.vert'],
                                           [...frame, 'window_depth.glsl', 'spindrift.frag']);
         const powder = [...frame, 'powder.glsl'], over = [...powder, 'window_depth.glsl', 'powder_over.frag'];
-        if (info.arrays['puffs.x'])
+        const powdery = info.powder.strength > 0 || info.lower_powder.strength > 0;
+        if (info.arrays['puffs.x'] || (info.live && powdery))
             Object.assign(this.programs, {
                 reach: add(fullscreen, [...powder, 'window_depth.glsl', 'powder_reach.frag']),
                 puffs: add([...frame, 'sun_ceiling.glsl', 'powder.glsl', 'powder.vert'], [...powder, 'powder.frag']),

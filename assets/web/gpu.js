@@ -101,9 +101,15 @@ class Gpu {
     vertices(columns, attributes, divisor = 0) {
         const {gl} = this, width = columns.length, numbers = new Float32Array(width * columns[0].length);
         columns.forEach((column, k) => column.forEach((value, i) => numbers[width * i + k] = value));
-        const array = gl.createVertexArray();
+        return this.interleaved(numbers, attributes, divisor).array;
+    }
+
+    // The same of numbers vertex after vertex.
+    interleaved(numbers, attributes, divisor = 0) {
+        const {gl} = this, width = attributes.reduce((sum, parts) => sum + parts, 0);
+        const array = gl.createVertexArray(), buffer = gl.createBuffer();
         gl.bindVertexArray(array);
-        gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+        gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
         gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
         let first = 0;
         attributes.forEach((parts, location) => {
@@ -111,7 +117,7 @@ class Gpu {
             first += parts;
         });
         gl.bindVertexArray(null);
-        return array;
+        return {array, buffer};
     }
 
     // Triangles of the vertices of an array; by default they have no attributes but their numbers.

@@ -2,7 +2,7 @@
 
 const kMostDue = 15;        // ticks that one answer may take; what is late beyond that is left out
 const kSilent = 4000;       // ms without an answer, after which the page says so
-const kRadiusSteps = 200;   // of the slider, over the logarithm of its range
+const kSliderSteps = 200;   // over the logarithm of a range
 
 // Whether this browser runs the module: WebAssembly with 128-bit lanes (the smallest function that has one).
 function runsModules() {
@@ -51,10 +51,22 @@ class Live {
         URL.revokeObjectURL(address);
         this.worker.onmessage = ({data}) => this.hear(data);
         this.worker.onerror = event => this.end(event.message || 'its thread has stopped');
-        const {facts} = await this.ask('open', {bytes: pieces.get('module'), name, recording: text('recording')});
+        const {facts} = await this.ask('open', {
+            bytes: pieces.get('module'), name, recording: text('recording'), light: [...this.page.picture.frame.sun],
+            cover: this.cover(),
+        });
         this.facts = facts;
         for (const tool of facts.tools) this.settings.set(tool.name, tool.numbers.map(each => each.usual));
         this.fillTools();
+    }
+
+    // Depth and share of the lower material at tick 0, on which houses stand; null in a model.
+    cover() {
+        const depth = this.slide.array('cover_d'), lower = this.slide.array('cover_l');
+        if (!depth) return null;
+        const cover = new Float32Array(2 * depth.length);
+        for (let i = 0; i < depth.length; ++i) cover[2 * i] = depth[i], cover[2 * i + 1] = lower ? lower[i] : 0;
+        return cover;
     }
 
     // Asks the worker, one question after another.
@@ -123,7 +135,6 @@ class Live {
         part('live').hidden = false;
         document.documentElement.dataset.live = 'on';
         part('scrub').min = 0;
-        this.showTask();
         this.choose(this.facts.tools[0].name);
         this.wake();
         say('You have taken over. What you do is recorded.');
@@ -195,7 +206,10 @@ class Live {
             if (runs) this.due = Math.min(this.due + (now - last) / 1000 / tickS * page.rate, kMostDue);
             last = now;
             let ticks = Math.floor(this.due);
-            if (!runs && this.hand.length > 0 && await this.actsNow()) ticks = 1;
+            if (!runs) {  // time moves for what acts at once, and for nothing else
+                if (this.hand.length === 0 || !await this.actsNow()) continue;
+                ticks = 1;
+            }
             if (ticks === 0 && this.hand.length === 0) continue;
             this.due = Math.max(this.due - ticks, 0);
             const hand = this.takeHand();
@@ -208,9 +222,9 @@ class Live {
         page.draw();
     }
 
-    // In a pause time moves for what acts at once.
+    // Gives the hand to the world, and asks whether it would act in a tick.
     async actsNow() {
-        await this.ask('step', {ticks: 0, hand: this.takeHand()}).then(answer => this.show(answer));
+        this.show(await this.ask('step', {ticks: 0, hand: this.takeHand()}));
         return (await this.ask('wouldAct')).acts;
     }
 
@@ -232,7 +246,7 @@ class Live {
     }
     // Radius of the ring that shows what a deed reaches, m.
     get reach() {
-        return this.deed.radius ? this.radius : 1.5 * this.slide.info.grid.dx;
+        return this.deed.radius ? clamp(this.radius, ...this.tool.radius) : 1.5 * this.slide.info.grid.dx;
     }
 
     choose(name) {
@@ -298,42 +312,42 @@ class Live {
             add(button, 'span', plain.label);
             button.addEventListener('click', () => this.choose(name));
         }
-        const [least, most] = this.facts.radius;
         this.radius = this.facts.brush.radius;
-        this.radiusOf = value => least * Math.pow(most / least, value / kRadiusSteps);
-        this.stepOf = radius => kRadiusSteps * Math.log(radius / least) / Math.log(most / least);
     }
 
     // Sliders of the chosen tool.
     fillSettings() {
         const box = part('settings'), {tool} = this;
         box.replaceChildren();
-        const slider = (label, title, from, to, step, value, words, changed) => {
-            const row = add(box, 'label'), text = add(row, 'span', words(value)), range = add(row, 'input');
+        // Fine where the numbers are small. What the rules fix has none.
+        const slider = (label, title, [least, most], now, words, changed) => {
+            if (least === most) return;
+            const row = add(box, 'label'), text = add(row, 'span', words(now)), range = add(row, 'input');
+            const of = step => clamp(least * Math.pow(most / least, step / kSliderSteps), least, most);
+            const value = kSliderSteps * Math.log(now / least) / Math.log(most / least);
             row.title = title;
-            Object.assign(range, {type: 'range', min: from, max: to, step, value});
+            Object.assign(range, {type: 'range', min: 0, max: kSliderSteps, step: 1, value});
             range.setAttribute('aria-label', label);
-            range.setAttribute('aria-valuetext', words(value));
+            range.setAttribute('aria-valuetext', words(now));
             range.addEventListener('input', () => {
-                text.textContent = words(Number(range.value));
+                const set = of(Number(range.value));
+                text.textContent = words(set);
                 range.setAttribute('aria-valuetext', text.textContent);
-                changed(Number(range.value));
+                changed(set);
             });
         };
         if (tool.plain.radius)
-            slider('Radius', 'Radius of the brush. [ and ] change it.', 0, kRadiusSteps, 1, this.stepOf(this.radius),
-                   value => `Radius ${number(this.radiusOf(value), 0)} m`, value => this.setRadius(this.radiusOf(value)));
+            slider('Radius', 'Radius of the brush. [ and ] change it.', tool.radius, clamp(this.radius, ...tool.radius),
+                   radius => `Radius ${number(radius)} m`, radius => this.setRadius(radius));
         const values = this.settings.get(tool.name);
         tool.numbers.forEach((each, i) => {
-            // Fine where the numbers are small.
-            const ratio = each.most / each.least, of = value => each.least * Math.pow(ratio, value / kRadiusSteps);
-            slider(each.label, each.tooltip, 0, kRadiusSteps, 1, kRadiusSteps * Math.log(values[i] / each.least) / Math.log(ratio),
-                   value => worded(each.format, of(value)), value => {
-                       values[i] = clamp(of(value), each.least, each.most);
-                       this.setBrush({numbers: values});
-                   });
+            if (each.fixed) return;
+            slider(each.label, each.tooltip, [each.least, each.most], values[i], value => worded(each.format, value), value => {
+                values[i] = value;
+                this.setBrush({numbers: values});
+            });
         });
-        if (tool.plain.layer) {
+        if (tool.layer) {
             const row = add(box, 'label'), box_ = add(row, 'input');
             box_.type = 'checkbox';
             box_.checked = this.standing ?? false;
@@ -344,16 +358,9 @@ class Live {
     }
 
     setRadius(radius) {
-        const [least, most] = this.facts.radius;
-        this.radius = clamp(radius, least, most);
+        this.radius = clamp(radius, ...this.tool.radius);
         this.setBrush({radius: this.radius});
         this.page.stir();
-    }
-
-    showTask() {
-        const {goal} = this.facts;
-        part('task').hidden = !goal;
-        if (goal) part('say').textContent = goal.say;
     }
 
     showStatus() {
@@ -377,7 +384,7 @@ class Live {
         this.shownCard = card.tick;
         part('verdict').textContent = card.verdict;
         part('points').textContent = `Score ${number(card.points)}. Bronze from ${this.facts.goal.medals.map(least => number(least)).join(', silver from ').replace(/, silver from ([^,]*)$/, ', gold from $1')}.`;
-        part('reason').textContent = [card.reason, card.advice].filter(Boolean).join(' ');
+        part('reason').textContent = [card.needs.some(need => !need.met) && card.reason, card.advice].filter(Boolean).join(' ');
         part('learn').textContent = card.won ? this.facts.goal.learn : '';
         part('needs').replaceChildren();
         for (const need of card.needs) {
@@ -452,8 +459,10 @@ class Live {
         if ((ctrlKey || metaKey) && key.toLowerCase() === 'z') this.change(shiftKey ? 'redo' : 'undo');
         else if ((ctrlKey || metaKey) && key.toLowerCase() === 'y') this.change('redo');
         else if (ctrlKey || metaKey) return false;
-        else if (key === '[') this.setRadius(this.radius / 1.15);
-        else if (key === ']') this.setRadius(this.radius * 1.15);
+        else if (key === '[' || key === ']') {
+            this.setRadius(key === '[' ? this.radius / 1.15 : this.radius * 1.15);
+            this.fillSettings();
+        }
         else if (key === 'Enter') this.stampMiddle();
         else {
             const tool = !shiftKey && this.facts.tools.find(each => each.key.toLowerCase() === key.toLowerCase());

@@ -70,7 +70,9 @@ function must(result) {
 
 // ---- what the page shows ----
 
+const kBuilt = ['built', 'ropes', 'shadows'];  // in the order of the module's built()
 let lastBed = null;
+let sun = [0, 0, 1];  // unit vector to the light
 
 // A field as it is now: one value per vertex, row by row from the south-west. `into`: an array to fill again, or none.
 function field(which, into) {
@@ -100,6 +102,8 @@ function picture(spare = {}) {
     const stands = bytes(module.stands(), depth.length), mixture = bytes(module.mixture(), 2 * depth.length);
     if (stands) shown.stands = stands;
     if (mixture) shown.mixture = mixture;
+    if (module.build(...sun)) shown.built = kBuilt.map((_, which) =>
+        new Float32Array(memory.buffer, module.built_at(which), module.built(which)).slice());
     const bed = field('bed');
     if (!same(lastBed, bed)) {
         lastBed = bed;
@@ -137,11 +141,17 @@ async function goTo(tick) {
 }
 
 const questions = {
-    async open({bytes, name, recording}) {
+    // `light`: unit vector; `cover`: as LivePicture::cover() has it, or null.
+    async open({bytes, name, recording, light, cover}) {
         await load(bytes);
         give(`${name}\n${recording}`);
         must(module.open());
         const facts = JSON.parse(told());
+        if (light) sun = light;
+        if (cover) {
+            const at = module.cover(cover.length / 2);
+            new Float32Array(memory.buffer, at, cover.length).set(cover);
+        }
         proving = true;
         prove();
         return {facts};
@@ -208,7 +218,7 @@ async function answer({id, kind, spare, ...question}) {
         const answered = await questions[kind](question);
         if (answered.silent || kind === 'open' || kind === 'wouldAct') return postMessage({id, ...answered});
         const shown = picture(spare);
-        postMessage({id, ...answered, status: now(), shown}, Object.values(shown).map(array => array.buffer));
+        postMessage({id, ...answered, status: now(), shown}, Object.values(shown).flat().map(array => array.buffer));
     } catch (error) {
         proving = false;
         postMessage({id, failed: error.message});

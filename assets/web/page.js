@@ -33,6 +33,11 @@ class Page {
         return tick * this.info.tick_s;
     }
 
+    // Whether nothing was done yet: a world to play in, not a slide to watch.
+    get isWorld() {
+        return this.info.last === 0;
+    }
+
     get framesPerSecond() {
         return Math.max(1, Math.round(1 / this.seconds(this.info.every)));
     }
@@ -275,6 +280,7 @@ class Page {
     listen() {
         const {canvas} = this, on = (id, type, action) => part(id).addEventListener(type, action);
         on('start', 'click', () => {
+            if (this.isWorld && this.live) return this.live.takeOver();
             this.play(true);
             part('play').focus({focusVisible: false});
         });
@@ -295,6 +301,10 @@ class Page {
         addEventListener('hashchange', () => this.seekAddress());
         if (this.live) this.live.listen();
         for (const element of [part('take-over'), ...document.querySelectorAll('.plays')]) element.hidden = !this.live;
+        document.documentElement.classList.toggle('world', this.isWorld);
+        if (this.isWorld && this.live) part('start').setAttribute('aria-label', 'Play in this world');
+        if (this.isWorld && this.live)
+            for (const words of document.querySelectorAll('#welcome p')) words.textContent = `Press to play. ${words.textContent}`;
         new ResizeObserver(() => this.draw()).observe(canvas);
         const bar = document.querySelector('footer');
         new ResizeObserver(() => document.body.style.setProperty('--bar', `${bar.offsetHeight}px`)).observe(bar);

@@ -47,6 +47,20 @@ class Scenery {
         }
     }
 
+    // As they are in a world that goes on: vertices one after another, in the order of kBuiltColumns.
+    rebuild() {
+        const {gpu: {gl}, gpu} = this;
+        this.builtVersion = this.slide.builtVersion;
+        this.built ??= {};
+        Object.entries(kBuiltColumns).forEach(([table, names], which) => {
+            const numbers = this.slide.built[which];
+            if (this.live?.[table]) gl.deleteBuffer(this.live[table]);
+            const {array, buffer} = gpu.interleaved(numbers, Array(names.length / 4).fill(4));
+            this.live = {...this.live, [table]: buffer};
+            this.built[table] = {array, pieces: [{first: 0, count: numbers.length / names.length}]};
+        });
+    }
+
     makeTrees() {
         const {gpu, gpu: {gl}, slots} = this;
         this.trees = new TreesInView(this.slide, this.frame.sun, slots);
@@ -93,6 +107,7 @@ class Scenery {
     // What people have built, as it is in the stored frame before the moment.
     drawBuilt() {
         const {gpu, gpu: {gl}, slide: {tick, info}} = this;
+        if (this.slide.builtVersion > (this.builtVersion ?? 0)) this.rebuild();
         if (!this.built) return;
         const frame = Math.min(Math.floor(tick / info.every), info.frames - 1);
         const draw = table => {
@@ -100,7 +115,7 @@ class Scenery {
             this.shaders[table].use();
             gl.bindVertexArray(this.built[table].array);
             for (const {first, count, from, until} of this.built[table].pieces)
-                if (from <= frame && frame < until) gl.drawArrays(gl.TRIANGLES, first, count);
+                if ((from <= frame && frame < until) || this.builtVersion) gl.drawArrays(gl.TRIANGLES, first, count);
         };
         gpu.enabled([gl.DEPTH_TEST], () => {
             draw('built');

@@ -88,7 +88,9 @@ function describe(info) {
     const {measures: m, grid, error} = info, length = number(info.last * info.tick_s);
     const material = info.two ? `${info.material} on ${info.lower_material}` : info.material;
     part('title').textContent = info.title;
-    part('about').textContent = m.run_out_m > 0 ?
+    part('task').hidden = !info.goal;
+    if (info.goal) part('say').textContent = info.goal.say;
+    part('about').textContent = info.last === 0 ? material : m.run_out_m > 0 ?
         `${material}, ${length} s, run-out ${number(m.run_out_m)} m, up to ${number(m.peak_speed_slope_m_s, 1)} m/s` :
         `${material}, ${length} s`;
 

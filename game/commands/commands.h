@@ -147,6 +147,17 @@ struct NormaliseOptions {
 // if the recording is of this version and the states differ.
 Outcome<int> normalise(const NormaliseOptions& options);
 
+struct ShareOptions {
+    std::string world;  // name of a scene or of a recording, or a file
+    std::filesystem::path out;
+    std::optional<Viewpoint> view;
+    std::uint64_t most_bytes = PageOptions().most_bytes;
+    bool watch_only = false;
+    Memory memory;
+};
+// Writes a scene, a challenge or a recording as a web page that plays.
+Outcome<int> share(const ShareOptions& options);
+
 struct PlayOptions {
     std::string program;                // argv[0]
     std::string what;                   // scene, terrain file or recording; empty: the first scene

@@ -51,24 +51,37 @@ Json json_of(const Deed& deed) {
             {"ring", {deed.ring.r, deed.ring.g, deed.ring.b}},
             {"radius", takes(deed.kind, &sim::Command::radius)},
             {"line", takes(deed.kind, &sim::Command::to_x)},
-            {"layer", info.has_layer},
             {"slope", info.has_slope},
             {"icon", std::move(icon)}};
 }
 
-Json json_of(const ToolInfo& tool) {
+// With the limits of a challenge, if it limits this tool: a number that the rules fix is left out.
+Json json_of(const ToolInfo& tool, const Goal::Tool* limited, const RadiusRange& radii) {
+    const auto range_of = [&](double sim::Command::*member, double least, double most) {
+        const Goal::Limit* const limit = limited ? limit_of(*limited, member) : nullptr;
+        return limit ? RadiusRange{limit->least, limit->most} : RadiusRange{least, most};
+    };
     Json numbers = Json::array();
-    for (const ToolNumber& each : tool.numbers)
+    for (const ToolNumber& each : tool.numbers) {
+        const bool as_it_is = tool.plain->amount == Amount::kAsItIs;
+        const bool fixed = limited && limit_of(*limited, each.member) && !as_it_is;
+        const RadiusRange range =
+            as_it_is ? range_of(each.member, each.least, each.most) : RadiusRange{each.least, each.most};
         numbers.push_back({{"label", each.label},
                            {"format", each.format},
                            {"tooltip", each.tooltip},
-                           {"least", each.least},
-                           {"most", each.most},
-                           {"usual", each.usual}});
+                           {"least", range.least},
+                           {"most", range.most},
+                           {"usual", std::clamp(each.usual, range.least, range.most)},
+                           {"fixed", fixed || range.least == range.most}});
+    }
+    const RadiusRange radius = range_of(&sim::Command::radius, radii.least, radii.most);
     return {{"name", name_of(tool.tool)},
             {"group", kGroups.at(static_cast<std::size_t>(tool.group))},
             {"key", std::string(1, static_cast<char>(tool.key))},
             {"tooltip", tool.tooltip},
+            {"radius", {radius.least, radius.most}},
+            {"layer", sim::info_of(tool.plain->kind).has_layer && !(limited && limited->layer)},
             {"plain", json_of(*tool.plain)},
             {"control", json_of(*tool.control)},
             {"shift", json_of(*tool.shift)},
@@ -179,7 +192,9 @@ void LiveWorld::press(Modifiers with, glm::dvec2 at) {
 }
 
 bool LiveWorld::would_act() {
-    return !sandbox_.looks_back() && hand_.would_act(static_cast<double>(state().params.tick_s));
+    const bool acts = !sandbox_.looks_back() && hand_.would_act(static_cast<double>(state().params.tick_s));
+    if (!acts) hand_.arrive(1);  // its way until now, and its end
+    return acts;
 }
 
 Outcome<void> LiveWorld::set_brush(const Json& json) {
@@ -241,19 +256,19 @@ Json LiveWorld::facts() const {
     const Scenario& scenario = sandbox_.scenario();
     const RadiusRange radius = radius_range(scenario.grid);
     Json tools = Json::array();
-    // A page draws no new houses and no planted forest.
+    // A page draws no planted forest.
     for (const ToolInfo& info : tool_infos()) {
         const auto allowed = [&](const Deed& deed) {
             return !scenario.goal || tool_of(*scenario.goal, deed.kind);
         };
-        if (!allowed(*info.plain) || info.group == ToolGroup::kThings) continue;
-        Json tool = json_of(info);
+        if (!allowed(*info.plain) || info.tool == Tool::kPlant) continue;
+        Json tool =
+            json_of(info, scenario.goal ? tool_of(*scenario.goal, info.plain->kind) : nullptr, radius);
         for (const auto& [key, deed] : {std::pair("control", info.control), std::pair("shift", info.shift)})
-            if (!allowed(*deed)) tool[key] = json_of(*info.plain);
+            if (!allowed(*deed)) tool[key] = tool["plain"];
         tools.push_back(std::move(tool));
     }
     Json facts{{"tools", std::move(tools)},
-               {"radius", {radius.least, radius.most}},
                {"slope", {sim::Command::kNoLeast, sim::Command::kNoMost}},
                {"tick_s", shortest(scenario.params.tick_s)},
                {"brush", {{"radius", hand_.brush().radius}, {"standing", hand_.brush().standing}}},

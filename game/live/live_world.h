@@ -43,7 +43,8 @@ class LiveWorld {
     void press(Modifiers with, glm::dvec2 at);
     void move_to(std::optional<glm::dvec2> at) { hand_.move_to(at); }
     void release() { hand_.release(); }
-    // Whether the stroke would have commands in a tick now. In a pause, time moves for these alone.
+    // Whether the stroke would have commands in a tick now. In a pause, time moves for these alone; a stroke without any
+    // goes on here.
     bool would_act();
     const Hand& hand() const { return hand_; }
     // {"tool":"blast","radius":12,"numbers":[1],"standing":false,"slope":[30,45]}: each member may be missing. Errors

@@ -3,8 +3,9 @@
 
 namespace game {
 
+// A world may take half of a machine, and here all of it is the world's.
 std::uint64_t machine_memory() {
-    return COULOIR_LIVE_MEMORY;
+    return std::uint64_t{2} * COULOIR_LIVE_MEMORY;
 }
 
 // The browser draws, in memory of its own.

@@ -4,14 +4,15 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "game/base/limits.h"
 #include "game/live/live_world.h"
+#include "game/live/picture.h"
 #include "game/recording/live_mark.h"
-#include "render/mountain/drawn_mixture.h"
 #include "sim/core/float_environment.h"
 #include "terrains/json_reader.h"
 
@@ -25,7 +26,7 @@ constexpr terrains::JsonLimits kQuestion{.depth = 4, .values = 64, .members = 16
 
 std::string given, told;  // the texts that came in and go out
 std::optional<LiveWorld> world;
-std::vector<std::uint8_t> drawn_mixture, standing;  // for the page, as they were last asked for
+LivePicture picture;
 
 int fails(std::string sentence) {
     told = std::move(sentence);
@@ -68,6 +69,7 @@ EXPORTED(open) int open_recording() {
     std::string name = given.substr(0, end);
     given.erase(0, end + 1);
     world.reset();
+    picture = {};
     auto opened = LiveWorld::open(given, std::move(name));
     given = {};
     if (!opened) return fails(opened.error());
@@ -155,7 +157,7 @@ EXPORTED(mark) const char* mark() {
     return kLiveMark.data();
 }
 
-// Fields: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
+// Fields, the ground without buildings first: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
 EXPORTED(columns) int columns() {
     return state().grid.nx;
 }
@@ -167,8 +169,8 @@ EXPORTED(stride) int stride() {
 }
 EXPORTED(field) const float* field(int which) {
     const sim::State& s = state();
-    const sim::Field<float>* const fields[] = {&s.bedrock, &s.depth, &s.rolling, &s.velocity_x,
-                                               &s.velocity_y};
+    const sim::Field<float>* const fields[] = {which == 0 ? &picture.ground(*world) : &s.bedrock, &s.depth,
+                                               &s.rolling, &s.velocity_x, &s.velocity_y};
     return fields[which]->row(0);
 }
 // One value per vertex, without gaps: greatest depth and speed in plan.
@@ -176,19 +178,33 @@ EXPORTED(peak) const float* peak(int which) {
     const Peaks& peaks = world->sandbox().session().peaks();
     return which == 0 ? peaks.depth.data() : peaks.speed_plan.data();
 }
-// Two bytes per vertex of a world with two materials, as render::drawn_mixture() makes them; else null.
+// Two bytes per vertex of a world with two materials; 1 where a stem stands, if the woods act; else null.
 EXPORTED(mixture) const std::uint8_t* mixture() {
-    render::drawn_mixture(world->sandbox().session().view(), drawn_mixture);
-    return drawn_mixture.empty() ? nullptr : drawn_mixture.data();
+    return picture.mixture(*world).empty() ? nullptr : picture.mixture(*world).data();
 }
-// Stems that stand at each vertex, if the woods act; else null.
 EXPORTED(stands) const std::uint8_t* stands() {
-    const sim::State& s = state();
-    if (!s.things || !world->sandbox().scenario().woods_act()) return nullptr;
-    standing.clear();
-    for (int y = 0; y < s.grid.ny; ++y)
-        for (int x = 0; x < s.grid.nx; ++x) standing.push_back(s.things->forest(x, y).standing > 0 ? 1 : 0);
-    return standing.data();
+    return picture.stands(*world).empty() ? nullptr : picture.stands(*world).data();
+}
+// What people have built, as triangles. First the page fills the cover of tick 0 (LivePicture::cover()): two floats a vertex.
+EXPORTED(cover) glm::vec2* cover(std::size_t vertices) {
+    picture.cover().assign(vertices, glm::vec2(0));
+    return picture.cover().data();
+}
+// 1 if it has changed since the last call. The direction of the light is a unit vector.
+EXPORTED(build) int build(double x, double y, double z) {
+    return picture.build(*world, glm::vec3(x, y, z)) ? kDone : kNot;
+}
+// Floats of faces (0), ropes (1) and shadows (2), vertex after vertex.
+EXPORTED(built) int built(int which) {
+    const std::size_t bytes = which == 0   ? std::span(picture.faces()).size_bytes()
+                              : which == 1 ? std::span(picture.ropes()).size_bytes()
+                                           : std::span(picture.shadows()).size_bytes();
+    return static_cast<int>(bytes / sizeof(float));
+}
+EXPORTED(built_at) const void* built_at(int which) {
+    return which == 0   ? static_cast<const void*>(picture.faces().data())
+           : which == 1 ? static_cast<const void*>(picture.ropes().data())
+                        : static_cast<const void*>(picture.shadows().data());
 }
 // sim::powder::Puff, one after the other.
 EXPORTED(puffs) int puffs() {

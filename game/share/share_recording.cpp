@@ -53,4 +53,14 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     return slide->write(page, *session, read->commands);
 }
 
+Outcome<PageReport> write_page_of_world(const Scenario& scenario, const std::filesystem::path& page,
+                                        const PageOptions& options) {
+    auto session = Session::begin(scenario, {}, std::nullopt);
+    if (!session) return tl::unexpected(session.error());
+    session->follow_powder(scenario);
+    auto slide = SlidePage::begin(scenario, *session, "", options);
+    if (!slide) return tl::unexpected(slide.error());
+    return slide->write(page, *session, {});
+}
+
 }  // namespace game

@@ -14,6 +14,10 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
                                   const PageOptions& options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress);
 
+// Writes the page of a world in which nothing was done yet: whoever opens it takes over at tick 0. Errors: as SlidePage.
+Outcome<PageReport> write_page_of_world(const Scenario& scenario, const std::filesystem::path& page,
+                                        const PageOptions& options);
+
 // The command by which anybody with a recording repeats its slide and compares the states. `recording`: name of a shipped
 // one, which everybody has, or a file.
 std::string proof_of(const std::filesystem::path& recording);

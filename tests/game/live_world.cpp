@@ -149,7 +149,7 @@ TEST(LiveWorld, keeps_to_the_tools_and_limits_of_a_challenge_and_claims_what_a_r
             auto world = LiveWorld::open(text, scene).value();
             ASSERT_TRUE(world.take_over());
             for (int i = 0; i < 12; ++i) {
-                EXPECT_TRUE(world.set_brush({{"radius", world.facts()["radius"][1]}}))
+                EXPECT_TRUE(world.set_brush({{"radius", radius_range(world.state().grid).most}}))
                     << "the widest there is";
                 act(dice, world);
             }

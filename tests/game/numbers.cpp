@@ -160,6 +160,7 @@ std::vector<std::string> beginning(const std::string& subcommand) {
         {"compare", {"no.couloir", "no.couloir"}},
         {"edit", {"no.couloir", "--out", "no/new.couloir"}},
         {"normalise", {"no.couloir", "--out", "no/new.couloir"}},
+        {"share", {"no.couloir", "--out", "no/new.html"}},
         {"bench", {"no.couloir"}},
         {"release", {"no.tif"}},
         {"track", {"no.obj", "no.npy"}},

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "game/live/live_world.h"
+#include "render/buildings/structure_mesh.h"
+#include "render/mountain/bare_ground.h"
+
+namespace game {
+
+// What a page draws of a world besides its layers, as the program draws it.
+class LivePicture {
+  public:
+    // The ground without buildings, which are drawn by their triangles. Valid until the next call.
+    const sim::Field<float>& ground(const LiveWorld& world);
+
+    // Two bytes per vertex of a world with two materials (render::drawn_mixture()); else none.
+    const std::vector<std::uint8_t>& mixture(const LiveWorld& world);
+    // 1 where a stem stands, per vertex, if the woods act; else none.
+    const std::vector<std::uint8_t>& stands(const LiveWorld& world);
+
+    // Depth of the standing layer at tick 0, m, and share of the lower material at its surface, per vertex; none in a model.
+    std::vector<glm::vec2>& cover() { return cover_; }
+    // Makes the triangles of what people have built, if it has changed since the last call; true then.
+    bool build(const LiveWorld& world, glm::vec3 sun);
+    const std::vector<render::StructureVertex>& faces() const { return faces_; }
+    const std::vector<render::RopeVertex>& ropes() const { return mesh_.ropes; }
+    const std::vector<render::StructureShadowVertex>& shadows() const { return mesh_.shadows; }
+
+  private:
+    render::BareGround bare_;
+    std::vector<std::uint8_t> mixture_, stands_;
+    std::vector<glm::vec2> cover_;
+    std::optional<render::Structures> built_;
+    render::StructureMesh mesh_;
+    std::vector<render::StructureVertex> faces_;  // those that are seen from near
+};
+
+}  // namespace game
