@@ -18,6 +18,7 @@ source_lines() {
 bare_root() {
     local suite=$1 folder=$2 proxies
     shift 2
+    [ -n "$(source_lines "$suite")" ] || apt-get -q update >&2  # a bare image has no lists
     mapfile -t proxies < <(apt-config dump | grep -E '^Acquire::https?::Proxy ' | sed 's/^/--aptopt=/')
     source_lines "$suite" | mmdebstrap --quiet "${proxies[@]}" "$@" "$suite" "$folder" -
 }

@@ -452,6 +452,11 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
         "--score", options.score,
         "score the try at the challenge from its commands and states alone; exit with status 1 if it "
         "has not ended or the recording claims another score, and 2 if a command broke a rule");
+    app.add_flag_callback(
+        "--keep", [&options] { options.keep = options.score = true; },
+        "as --score, and keep the try among the best runs of its challenge on this machine, with where it "
+        "came "
+        "from, if it meets every need and belongs there");
     app.add_flag("--paranoid", options.paranoid,
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");

@@ -131,7 +131,7 @@ class Live {
         } finally {
             this.taking = false;
         }
-        button.hidden = true;
+        button.hidden = part('welcome').hidden = true;
         part('live').hidden = false;
         document.documentElement.dataset.live = 'on';
         part('scrub').min = 0;

@@ -13,6 +13,7 @@
 
 #include "game/files/text_file.h"
 #include "game/files/user_folders.h"
+#include "game/recording/recorder.h"
 
 namespace game {
 namespace {
@@ -103,6 +104,16 @@ Outcome<fs::path> best_runs_folder(const Scenario& scenario) {
 
 std::vector<BestRun> best_runs(const fs::path& folder) {
     return ranking_of(folder).best;
+}
+
+Outcome<std::string> recording_of_try(const Recording& of, const std::string& name, const Score& score,
+                                      const StateLine& at_end) {
+    auto recorder = Recorder::fork(in_memory(name), of, name, score.tick);
+    if (!recorder) return tl::unexpected(recorder.error());
+    if (recorder->last_state() != score.tick)
+        if (auto written = recorder->state(at_end); !written) return tl::unexpected(written.error());
+    if (auto claimed = recorder->claim(score.claim()); !claimed) return tl::unexpected(claimed.error());
+    return recorder->copy_ended_at(score.tick, nullptr);
 }
 
 Outcome<void> keep_run(const fs::path& folder, const Score& score, std::uint64_t hash,

@@ -9,6 +9,7 @@
 
 #include "game/analysis/score.h"
 #include "game/base/outcome.h"
+#include "game/recording/reader.h"
 #include "game/scene/scenario.h"
 
 namespace game {
@@ -35,6 +36,11 @@ Outcome<std::filesystem::path> best_runs_folder(const Scenario& scenario);
 // The best first: by medal, then by score, then the earlier; at most kMostBestRuns, each run once. None if there is no
 // such folder.
 std::vector<BestRun> best_runs(const std::filesystem::path& folder);
+
+// What keep_run() keeps of a recording that may go on after its try: a fork of it up to the tick in which the try ended, so that
+// its origin is named. `name`: of the recording; `at_end`: the state in that tick. Errors: as Recorder::fork().
+Outcome<std::string> recording_of_try(const Recording& of, const std::string& name, const Score& score,
+                                      const StateLine& at_end);
 
 // Keeps a run if it is among the best, and removes what no longer is. `hash`: of the state in which the try ended;
 // `recording`: the text of the whole file. Errors: the file cannot be written, and then nothing has changed.

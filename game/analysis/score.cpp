@@ -277,17 +277,23 @@ void Referee::see(const Session& session) {
     score_ = score_now(scenario_, session, commands_before(commands_, tick));
 }
 
+std::optional<std::string> broken_rule(const Scenario& scenario, std::span<const TimedCommand> commands,
+                                       std::int64_t until) {
+    GoalUse use(*scenario.goal);
+    for (const TimedCommand& command : commands_before(commands, until))
+        if (const auto forbidden = use.take(command, scenario.params.tick_s))
+            return fmt::format("tick {}: {}", command.tick, *forbidden);
+    if (const TimedCommand* event = use.missing(until))
+        return fmt::format("tick {}: the scene's own {} is missing", event->tick,
+                           sim::info_of(event->command.kind).name);
+    return std::nullopt;
+}
+
 Outcome<Score> Referee::decide() const {
-    GoalUse use(*scenario_.goal);
-    for (const TimedCommand& command : score_ ? commands_before(commands_, score_->tick) : commands_) {
-        if (const auto forbidden = use.take(command, scenario_.params.tick_s))
-            return unusable(fmt::format("tick {}: {}", command.tick, *forbidden));
-    }
+    const std::int64_t until = score_ ? score_->tick : commands_.empty() ? 0 : commands_.back().tick + 1;
+    if (const auto broken = broken_rule(scenario_, commands_, until)) return unusable(*broken);
     if (!score_)
         return tl::unexpected(Failure{Failure::kBadAnswer, "the try at the challenge has not ended"});
-    if (const TimedCommand* event = use.missing(score_->tick))
-        return unusable(fmt::format("tick {}: the scene's own {} is missing", event->tick,
-                                    sim::info_of(event->command.kind).name));
     return *score_;
 }
 

@@ -55,6 +55,11 @@ std::string reason_of(const Goal& goal, const Score& score);
 std::string to_text(const Goal& goal, const Score& score);
 Json to_json(const Goal& goal, const Score& score);
 
+// What breaks a rule of the challenge before a tick, as "tick 60: …": a command of a person that no tool allows, or an event of
+// the scene that is missing. `commands`: sorted by tick. Nothing if all is as it may be.
+std::optional<std::string> broken_rule(const Scenario& scenario, std::span<const TimedCommand> commands,
+                                       std::int64_t until);
+
 // Watches a session from tick 0 and scores its try at the moment at which it ends.
 class Referee {
   public:

@@ -349,12 +349,31 @@ void App::judge_attempt() {
 
 // Keeps the attempt that ended in this tick, if it may be among the best: one in which the user did something.
 void App::keep_run(const Score& score) {
-    if (!score.meets_needs() || sandbox_->watches() || sandbox_->looks_back() || !sandbox_->was_touched())
-        return;
+    if (sandbox_->watches()) return keep_watched_run(score);
+    if (!score.meets_needs() || sandbox_->looks_back() || !sandbox_->was_touched()) return;
     const auto kept = sandbox_->recorded_so_far().and_then([&](const std::string& recorded) {
         return best_list_.keep(score, sandbox_->session().state_line().hash, recorded);
     });
     if (!kept) warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
+}
+
+// The same of a recording that somebody else has made: once its states and its rules are proven.
+void App::keep_watched_run(const Score& score) {
+    const Recording& watched = *sandbox_->opening().watched;
+    if (!score.meets_needs() || !watched.claim || sandbox_->verdict()->kind() != Verdict::Kind::kExact)
+        return;
+    if (const auto broken = broken_rule(sandbox_->scenario(), watched.commands, score.tick))
+        return warn(fmt::format("This run is not among the best runs: {}", *broken));
+    if (*watched.claim != score.claim())
+        return warn(fmt::format("This run is not among the best runs: it claims a score of {}, and has {}",
+                                watched.claim->score, score.points));
+    const StateLine& now = sandbox_->session().state_line();
+    const auto kept =
+        recording_of_try(watched, sandbox_->opening().name, score, now)
+            .and_then([&](const std::string& text) { return best_list_.keep(score, now.hash, text); });
+    if (!kept) return warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
+    tell(fmt::format("Proven: a score of {}, {}. It counts among the best runs", score.points,
+                     medal_name(score.medal)));
 }
 
 bool App::has_card() const {

@@ -148,6 +148,7 @@ class App {
     std::optional<ui::StrokeNote> stroke_note() const;
     bool on_slope_of_brush(glm::dvec2 at) const;
     double earth_used() const;  // m³
+    void keep_watched_run(const Score& score);
     void take_over_at_end();
     void take_over();
     bool may_go_back();  // false: shows a notice with the reason

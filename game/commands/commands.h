@@ -72,6 +72,7 @@ struct ReplayOptions : OutputOptions {
     std::string recording;  // name or file
     std::optional<std::int64_t> until;
     bool verify = false, paranoid = false, score = false;
+    bool keep = false;  // a try that was scored, among the best runs
     LookFrom look = LookFrom::kShipped;
     std::optional<Viewpoint> view;  // none: the recording's camera
     sim::StepOptions step_options;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "game/analysis/best_runs.h"
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
@@ -44,6 +45,27 @@ std::string challenge_text(const Scenario& scenario) {
     return scene && is_same_challenge(scene->scenario, scenario)
                ? fmt::format("the challenge {} as it ships", scenario.scene)
                : fmt::format("a challenge of its own, {}", scenario.scene);
+}
+
+// Puts a scored try among the best runs of its challenge.
+Outcome<void> keep(const Recording& recording, const std::filesystem::path& file, const Score& score,
+                   const StateLine& at_end) {
+    if (!score.meets_needs()) {
+        print_line(stderr, "couloir: not kept: {}", reason_of(*recording.header.scenario.goal, score));
+        return {};
+    }
+    const auto folder = best_runs_folder(recording.header.scenario);
+    if (!folder) return tl::unexpected(folder.error());
+    const auto text = recording_of_try(recording, file.stem().string(), score, at_end);
+    if (!text) return tl::unexpected(text.error());
+    if (auto kept = keep_run(*folder, score, at_end.hash, *text); !kept) return kept;
+    const auto best = best_runs(*folder);
+    const auto place = std::ranges::find(best, at_end.hash, &BestRun::hash);
+    if (place == best.end())
+        print_line(stderr, "couloir: not among the best {} runs here", kMostBestRuns);
+    else
+        print_line(stderr, "couloir: number {} of the best runs here", place - best.begin() + 1);
+    return {};
 }
 
 // Why a claimed score cannot be believed; nothing if it can, or if there is none.
@@ -102,6 +124,7 @@ Outcome<int> replay(const ReplayOptions& options) {
         other{scenario, recording->commands, other_way(options.step_options)};
     std::optional<LockstepRun> lockstep;
     SelfCheck self_check;
+    StateLine at_end;  // of the try
     if (options.paranoid) {
         const bool swept = !options.step_options.plain && !scenario.lower;
         self_check.names = {name_of(way.options, swept), name_of(other.options, swept)};
@@ -110,6 +133,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     watchers.after_tick = [&](const Session& now) {
         if (options.verify) verifier.look_at(now);
         if (options.score) referee.see(now);
+        if (options.keep && now.try_ended_at() == now.state().tick) at_end = now.state_line();
         if (!lockstep || self_check.parted) return;
         self_check.parted = lockstep->follow(now.state());
         self_check.ticks = now.state().tick;
@@ -143,6 +167,9 @@ Outcome<int> replay(const ReplayOptions& options) {
             return tl::unexpected(
                 Failure{Failure::kBadAnswer, fmt::format("{}: {}", options.recording, *wrong)});
     }
+    if (options.keep && summary.score)
+        if (auto kept = keep(*recording, *path, *summary.score, at_end); !kept)
+            return tl::unexpected(kept.error());
     const bool bad = (options.verify && !proven) || self_check.parted;
     return bad ? Failure::kBadAnswer : 0;
 }

@@ -341,6 +341,58 @@ TEST_F(Challenge, whose_file_was_edited_is_told_from_an_honest_one) {
     EXPECT_NE(said.err.find("the try at the challenge has not ended"), std::string::npos) << said.err;
 }
 
+TEST_F(Challenge, that_a_friend_has_played_is_kept_among_the_best_runs_with_its_origin) {
+    const std::string data = (folder_.path() / "data").string();
+    const auto keep = [&](const std::filesystem::path& file) {
+        return couloir({"replay", file.string(), "--score", "--keep"},
+                       {.environment = {{"XDG_DATA_HOME", data}}});
+    };
+    const auto kept_ones = [&] {
+        std::vector<std::filesystem::path> files;
+        if (!std::filesystem::exists(data)) return files;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(data))
+            if (entry.is_regular_file()) files.push_back(entry.path());
+        return files;
+    };
+    play(80, 120);
+    ASSERT_TRUE(score_.meets_needs());
+    const Finished done = keep(path_);
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_NE(done.err.find("number 1 of the best runs here"), std::string::npos) << done.err;
+    ASSERT_EQ(kept_ones().size(), 1u);
+    const Recording kept = read_recording(kept_ones().front()).value();
+    EXPECT_EQ(kept.header.parent, (Parent{"try", score_.tick}));
+    EXPECT_EQ(kept.claim, score_.claim());
+    EXPECT_EQ(kept.last_tick(), score_.tick) << "it ends where the try ended";
+    EXPECT_EQ(couloir({"replay", kept_ones().front().string(), "--verify", "--score"}).status, 0);
+    EXPECT_EQ(keep(path_).status, 0);
+    EXPECT_EQ(kept_ones().size(), 1u) << "each run once";
+
+    // Another score than its commands give.
+    Recording recording = read_recording(path_).value();
+    const std::filesystem::path lie = folder_.path() / "lie.couloir";
+    {
+        auto recorder = record_into(lie, recording.header.scenario).value();
+        for (const StateLine& state : recording.states) {
+            for (const TimedCommand& command : recording.commands)
+                if (command.tick < state.tick && command.tick >= state.tick - kTicksPerState) {
+                    ASSERT_TRUE(recorder.command(command));
+                }
+            ASSERT_TRUE(recorder.state(state));
+            if (state.tick >= score_.tick && recording.claim) {
+                ASSERT_TRUE(recorder.claim({state.tick, 9999, 3}));
+                recording.claim.reset();
+            }
+        }
+        ASSERT_TRUE(recorder.end(recording.last_tick()));
+    }
+    std::filesystem::remove_all(data);
+    const Finished refused = keep(lie);
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    EXPECT_NE(refused.err.find("claims a score of 9999"), std::string::npos) << refused.err;
+    EXPECT_TRUE(kept_ones().empty());
+}
+
 TEST_F(Challenge, may_be_claimed_again_but_not_differently) {
     play(80, 120);
     const std::vector<std::string> honest = bodies_of(read_bytes(path_));
