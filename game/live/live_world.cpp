@@ -108,6 +108,7 @@ Outcome<LiveWorld> LiveWorld::open(const std::string& recording, std::string nam
         return unusable(fmt::format("{}: a flow demo has no slide to take over", name));
     loaded.name = name;
     loaded.scene.scenario = read->header.scenario;
+    loaded.scene.scenario.look.flow.reset();  // a page does not draw debris by fronts; what is recorded keeps its look
     loaded.scene.commands = read->commands;
     loaded.watched = std::move(*read);
     auto sandbox = Sandbox::begin(std::move(loaded), {}, std::nullopt);

@@ -12,6 +12,7 @@
 #include "tests/game/program.h"
 #include "tests/support/places.h"
 #include "tests/web/chromium.h"
+#include "tests/web/loopback.h"
 #include "tests/web/shared_slide.h"
 
 // A page that is taken over: the module in it, tools by real mouse and touch, and what the program says of what was saved.
@@ -251,6 +252,39 @@ TEST_F(LivePage, fits_large_small_and_touched_screens) {
         EXPECT_TRUE(holds("document.getElementById('live').getBoundingClientRect().top > 0.3 * innerHeight"))
             << "ground is left to act on";
     }
+}
+
+TEST_F(LivePage, is_taken_over_from_a_plain_and_from_a_strict_server_by_one_request) {
+    for (const char* headers :
+         {"",
+          "Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; "
+          "style-src "
+          "'unsafe-inline'; img-src data:; worker-src blob:\r\nX-Content-Type-Options: nosniff\r\n"
+          "Cross-Origin-Opener-Policy: same-origin\r\nCross-Origin-Embedder-Policy: require-corp\r\n"}) {
+        SCOPED_TRACE(headers);
+        const Loopback server(avalanche().page, headers);
+        browser().size(640, 480);
+        ASSERT_EQ(browser().open(server.address()), "ready") << text("note");
+        browser().value("couloir.freeze(0.25), couloir.seek(0)");
+        browser().press("t");
+        EXPECT_TRUE(browser().comes("couloir.live.on", 60)) << text("told");
+        EXPECT_EQ(server.requests(), 1);
+        EXPECT_EQ(browser().messages(), std::vector<std::string>());
+    }
+}
+
+// A server whose policy forbids modules.
+TEST_F(LivePage, plays_back_with_a_sentence_where_a_policy_forbids_its_world) {
+    const Loopback server(avalanche().page,
+                          "Content-Security-Policy: script-src 'unsafe-inline'; worker-src blob:\r\n");
+    browser().size(640, 480);
+    ASSERT_EQ(browser().open(server.address()), "ready") << text("note");
+    browser().value("couloir.freeze(0.25)");
+    browser().press("t");
+    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    EXPECT_NE(text("told").find("can be watched only"), std::string::npos) << text("told");
+    browser().press("Home");
+    EXPECT_EQ(browser().value("couloir.tick"), 0);
 }
 
 TEST_F(LivePage, plays_back_with_a_sentence_where_its_world_is_damaged) {

@@ -28,9 +28,9 @@ bool ends_soon(int descriptor, int milliseconds) {
 
 }  // namespace
 
-Loopback::Loopback(std::string page)
-    : answer_("HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nConnection: close\r\nContent-Length: " +
-              std::to_string(page.size()) + "\r\n\r\n" + std::move(page)),
+Loopback::Loopback(std::string page, const std::string& headers)
+    : answer_("HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nConnection: close\r\n" + headers +
+              "Content-Length: " + std::to_string(page.size()) + "\r\n\r\n" + std::move(page)),
       listening_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in place{};
     place.sin_family = AF_INET;

@@ -9,7 +9,8 @@ namespace game::test {
 // A web server on this machine alone. It answers every request with the same page.
 class Loopback {
   public:
-    explicit Loopback(std::string page);
+    // `headers`: further ones, each with its line break.
+    explicit Loopback(std::string page, const std::string& headers = {});
     ~Loopback();
     Loopback(const Loopback&) = delete;
     Loopback& operator=(const Loopback&) = delete;
