@@ -134,7 +134,8 @@ class Live {
         button.hidden = part('welcome').hidden = true;
         part('live').hidden = false;
         document.documentElement.dataset.live = 'on';
-        part('scrub').min = 0;
+        page.rate = 1;  // somebody may have watched at a higher speed
+        part('rate').value = 1;
         this.choose(this.facts.tools[0].name);
         this.wake();
         say('You have taken over. What you do is recorded.');
@@ -232,8 +233,17 @@ class Live {
         return this.hand.splice(0);
     }
 
-    seek(tick) {
-        return this.change('seek', {tick: Math.round(tick)});
+    // A drag of the time bar asks for many ticks; those that it has passed are left out.
+    async seek(tick) {
+        this.target = Math.round(tick);
+        if (this.seeking) return;
+        this.seeking = true;
+        while (this.target !== undefined) {
+            const asked = this.target;
+            this.target = undefined;
+            await this.change('seek', {tick: asked});
+        }
+        this.seeking = false;
     }
 
     // ---- the hand ----
@@ -284,6 +294,7 @@ class Live {
         return true;
     }
     move(place) {
+        if (!this.held) return;  // the press was not taken
         const at = this.page.pick(...place);
         this.hand.push(at ? ['move', at.x, at.y] : ['leave']);
         if (at) this.held = at;
@@ -291,6 +302,7 @@ class Live {
         this.wake();
     }
     release() {
+        if (!this.held) return;
         this.held = null;
         this.with = 'plain';
         this.hand.push(['release']);

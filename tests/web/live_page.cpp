@@ -254,6 +254,33 @@ TEST_F(LivePage, fits_large_small_and_touched_screens) {
     }
 }
 
+TEST_F(LivePage, goes_back_continues_from_there_and_outlives_a_lost_context) {
+    take_over(avalanche().page, 150);
+    EXPECT_TRUE(browser().comes("couloir.live.status.known > 200", 60));
+    browser().press(" ");
+    browser().value("couloir.seek(60)");
+    EXPECT_TRUE(browser().comes("couloir.live.status.tick === 60 && couloir.live.status.looks_back", 20));
+    const auto [x, y] = ground(0.4, 0.25);
+    browser().drag(x, y, x + 10, y + 5);
+    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    EXPECT_TRUE(text("told").starts_with("This is the past.")) << text("told");
+    EXPECT_EQ(browser().value("couloir.live.status.undo"), 0);
+    browser().value("document.getElementById('continue').click()");
+    EXPECT_TRUE(browser().comes("couloir.live.status.known === 60", 20)) << text("told");
+    browser().value(R"((async () => {
+        const lost = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
+        lost.loseContext();
+        await new Promise(resolve => setTimeout(resolve, 300));
+        lost.restoreContext();
+    })())");
+    EXPECT_TRUE(browser().comes(
+        "document.documentElement.dataset.state === 'ready' && document.getElementById('note').hidden", 60));
+    browser().value("couloir.freeze(0.25)");
+    browser().drag(x, y, x + 10, y + 5);
+    EXPECT_TRUE(browser().comes("couloir.live.status.undo === 1", 20)) << text("told");
+    EXPECT_NE(proven().find("exact: all"), std::string::npos);
+}
+
 TEST_F(LivePage, is_taken_over_from_a_plain_and_from_a_strict_server_by_one_request) {
     for (const char* headers :
          {"",
