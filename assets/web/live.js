@@ -397,6 +397,9 @@ class Live {
         part('verdict').textContent = card.verdict;
         part('points').textContent = `Score ${number(card.points)}. Bronze from ${this.facts.goal.medals.map(least => number(least)).join(', silver from ').replace(/, silver from ([^,]*)$/, ', gold from $1')}.`;
         part('reason').textContent = [card.needs.some(need => !need.met) && card.reason, card.advice].filter(Boolean).join(' ');
+        const {to_beat} = this.page.info.goal ?? {};
+        if (card.won && card.points > to_beat)
+            part('points').textContent += ` You have beaten the ${number(to_beat)} points of before: save it, and send it back.`;
         part('learn').textContent = card.won ? this.facts.goal.learn : '';
         part('needs').replaceChildren();
         for (const need of card.needs) {

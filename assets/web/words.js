@@ -89,7 +89,9 @@ function describe(info) {
     const material = info.two ? `${info.material} on ${info.lower_material}` : info.material;
     part('title').textContent = info.title;
     part('task').hidden = !info.goal;
-    if (info.goal) part('say').textContent = info.goal.say;
+    if (info.goal)
+        part('say').textContent = info.goal.to_beat === undefined ? info.goal.say :
+            `${info.goal.say} ${number(info.goal.to_beat)} points were scored before you: beat that.`;
     part('about').textContent = info.last === 0 ? material : m.run_out_m > 0 ?
         `${material}, ${length} s, run-out ${number(m.run_out_m)} m, up to ${number(m.peak_speed_slope_m_s, 1)} m/s` :
         `${material}, ${length} s`;

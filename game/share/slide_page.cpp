@@ -526,7 +526,10 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"overlays", overlays_json()},
               {"two", scenario.lower.has_value()},
               {"surroundings", !scenery->surroundings().empty()}};
-    if (scenario.goal) json["goal"] = {{"say", scenario.goal->say}};
+    if (scenario.goal) {
+        json["goal"] = {{"say", scenario.goal->say}};
+        if (options.to_beat) json["goal"]["to_beat"] = *options.to_beat;
+    }
     if (scenario.lower) json["lower_material"] = scenario.lower->material;
     return json;
 }

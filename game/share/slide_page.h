@@ -20,6 +20,8 @@ struct PageOptions {
     std::uint64_t most_bytes = 32'000'000;     // of the page
     std::optional<render::Camera> camera = std::nullopt;  // none: the scenario's, or else a landscape view
     bool plays = true;  // the page has the world itself, so that whoever opens it can take over
+    std::optional<std::int64_t> to_beat =
+        std::nullopt;  // of a challenge: the score that the page asks to beat
 };
 
 struct PageReport {

@@ -367,6 +367,12 @@ TEST_F(Challenge, that_a_friend_has_played_is_kept_among_the_best_runs_with_its_
     EXPECT_EQ(couloir({"replay", kept_ones().front().string(), "--verify", "--score"}).status, 0);
     EXPECT_EQ(keep(path_).status, 0);
     EXPECT_EQ(kept_ones().size(), 1u) << "each run once";
+    const std::filesystem::path page = folder_.path() / "page.html";
+    const Finished shared = couloir({"share", scene_path_.string(), "--out", page.string()},
+                                    {.environment = {{"XDG_DATA_HOME", data}}});
+    EXPECT_EQ(shared.status, 0) << shared.err;
+    EXPECT_NE(read_bytes(page).find("\"to_beat\":" + std::to_string(score_.points)), std::string::npos)
+        << "a page asks to beat it";
 
     // Another score than its commands give.
     Recording recording = read_recording(path_).value();
