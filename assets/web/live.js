@@ -87,14 +87,15 @@ class Live {
         }).finally(() => clearTimeout(waits));
     }
 
-    hear({id, failed, proof, ...answer}) {
+    hear({id, failed, over, proof, ...answer}) {
         if (proof) {
             this.proof = proof;
             return;
         }
         const question = this.questions.get(id);
         this.questions.delete(id);
-        if (failed !== undefined) question.failed(new Error(failed));
+        if (over) this.end(failed);
+        if (failed !== undefined) question.failed(new Error(over ? this.ended : failed));
         else question.done(answer);
     }
 

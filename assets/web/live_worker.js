@@ -4,6 +4,7 @@
 
 let module = null;   // the exported functions
 let memory = null;
+let over = false;    // its last words were said: an instance that has thrown is used up
 let proving = false;  // the recording is replayed while nobody asks for anything else
 const kProofTicks = 30;     // between two looks at what is asked
 const kTold = 100;          // ms between two words about the proof
@@ -16,7 +17,10 @@ function surroundings() {
     const no = () => 8;  // WASI's "bad file descriptor"
     let lastWords = '';
     return {
-        page: {ended(at, size) { throw new Error(words(at, size)); }},
+        page: {ended(at, size) {
+            over = true;
+            throw new Error(words(at, size));
+        }},
         wasi_snapshot_preview1: {
             clock_time_get(clock, precision, at) {
                 new DataView(memory.buffer).setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
@@ -33,7 +37,10 @@ function surroundings() {
                 view.setUint32(written, size, true);
                 return 0;
             },
-            proc_exit(status) { throw new Error(lastWords.trim() || `ended with status ${status}`); },
+            proc_exit(status) {
+                over = true;
+                throw new Error(lastWords.trim() || `ended with status ${status}`);
+            },
             fd_close: no, fd_seek: no, fd_fdstat_get: no, fd_read: no, fd_prestat_get: no, fd_prestat_dir_name: no,
             environ_get: () => 0,
             environ_sizes_get(count, size) {
@@ -224,12 +231,14 @@ onmessage = ({data}) => {
 
 async function answer({id, kind, spare, ...question}) {
     try {
+        if (over) throw new Error('it has ended before');
         const answered = await questions[kind](question);
         if (answered.silent || kind === 'open' || kind === 'wouldAct') return postMessage({id, ...answered});
         const shown = picture(spare);
         postMessage({id, ...answered, status: now(), shown}, Object.values(shown).flat().map(array => array.buffer));
     } catch (error) {
         proving = false;
-        postMessage({id, failed: error.message});
+        over ||= error instanceof WebAssembly.RuntimeError;
+        postMessage({id, failed: error.message, over});
     }
 }

@@ -1,4 +1,4 @@
-// The module's functions, for a page (assets/web/live_worker.js calls them; game/live/README.md tells how). Numbers go in and
+// The module's functions, for a page (assets/web/live_worker.js calls them). Numbers go in and
 // out as they are; text goes in through in_buffer(), and comes out at out_at(), out_size() bytes of UTF-8. A call that fails
 // returns a negative number and leaves its sentence there. Without an open world nothing but open() may be called.
 #include <cstdint>
