@@ -204,14 +204,7 @@ void App::guide_stroke() {
 // A challenge has its own tools and limits.
 void App::fit_hand() {
     const auto& goal = sandbox_->scenario().goal;
-    if (!goal || hand_.stroke()) return;
-    const auto& infos = tool_infos();
-    if (!tool_of(*goal, deed_of(hand_.brush().tool).kind))
-        if (const auto first = std::ranges::find_if(
-                infos, [&](const ToolInfo& info) { return tool_of(*goal, info.plain->kind) != nullptr; });
-            first != infos.end())
-            hand_.choose(first->tool);
-    hand_.fit(*goal);
+    if (goal && !hand_.stroke()) hand_.fit(*goal);
 }
 
 void App::begin_stroke() {

@@ -20,6 +20,11 @@ void Hand::suit(const sim::Grid& grid) {
 }
 
 void Hand::fit(const Goal& goal) {
+    const auto infos = tool_infos();
+    const auto is_allowed = [&](const ToolInfo& info) { return tool_of(goal, info.plain->kind) != nullptr; };
+    if (!is_allowed(info_of(brush_.tool)))
+        if (const auto first = std::ranges::find_if(infos, is_allowed); first != infos.end())
+            choose(first->tool);
     const Deed& deed = deed_of(brush_.tool);
     const Goal::Tool* const tool = tool_of(goal, deed.kind);
     if (!tool) return;

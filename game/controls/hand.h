@@ -23,7 +23,7 @@ class Hand {
     const Brush& brush() const { return brush_; }
     void set(const Brush& brush) { brush_ = brush; }
     void choose(Tool tool) { brush_.tool = tool; }
-    // Brings the tool in it into the limits of a challenge.
+    // Takes a tool that the challenge has, if it holds none of them, and brings it into the challenge's limits.
     void fit(const Goal& goal);
     // For another ground: a radius of 1/50 of it, but at least 2.5 cells so that the grid resolves it. All else as at first.
     void suit(const sim::Grid& grid);

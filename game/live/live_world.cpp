@@ -108,7 +108,8 @@ Outcome<LiveWorld> LiveWorld::open(const std::string& recording, std::string nam
         return unusable(fmt::format("{}: a flow demo has no slide to take over", name));
     loaded.name = name;
     loaded.scene.scenario = read->header.scenario;
-    loaded.scene.scenario.look.flow.reset();  // a page does not draw debris by fronts; what is recorded keeps its look
+    loaded.scene.scenario.look.flow
+        .reset();  // a page does not draw debris by fronts; what is recorded keeps its look
     loaded.scene.commands = read->commands;
     loaded.watched = std::move(*read);
     auto sandbox = Sandbox::begin(std::move(loaded), {}, std::nullopt);
@@ -125,14 +126,7 @@ LiveWorld::LiveWorld(Sandbox sandbox, std::string name)
 // A challenge has its own tools and limits.
 void LiveWorld::fit_hand() {
     const auto& goal = sandbox_.scenario().goal;
-    if (!goal || hand_.stroke()) return;
-    const auto infos = tool_infos();
-    if (!tool_of(*goal, deed_of(hand_.brush().tool).kind))
-        if (const auto first = std::ranges::find_if(
-                infos, [&](const ToolInfo& info) { return tool_of(*goal, info.plain->kind) != nullptr; });
-            first != infos.end())
-            hand_.choose(first->tool);
-    hand_.fit(*goal);
+    if (goal && !hand_.stroke()) hand_.fit(*goal);
 }
 
 LiveWorld::Advanced LiveWorld::advance(int ticks) {
