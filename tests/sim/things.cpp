@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/core/angle.h"
 #include "sim/load_things.h"
 #include "sim/simd/instruction_set.h"
 #include "sim/world/quanta.h"
