@@ -11,6 +11,7 @@
 #include "game/share/slide_page.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
+#include "tests/web/browser_test.h"
 #include "tests/web/chromium.h"
 #include "tests/web/loopback.h"
 #include "tests/web/shared_slide.h"
@@ -95,27 +96,8 @@ TEST(LiveModule, says_what_is_wrong_with_a_recording) {
     EXPECT_TRUE(sentence(R"('{"format":"couloir",' + '[' .repeat(100000))").starts_with("mine:1: "));
 }
 
-class LivePage : public testing::Test {
+class LivePage : public BrowserTest {
   protected:
-    static void SetUpTestSuite() {
-        if (installed_chromium()) shared_ = std::make_unique<Shared>();
-    }
-    static void TearDownTestSuite() { shared_.reset(); }
-    void SetUp() override {
-        if (!shared_) GTEST_SKIP() << "chromium is not installed";
-        if (browser().is_stuck()) shared_ = std::make_unique<Shared>();
-    }
-
-    static Chromium& browser() { return shared_->browser; }
-    static bool holds(const std::string& expression) { return browser().value(expression) == true; }
-    static std::string text(const std::string& id) {
-        return browser().value("document.getElementById('" + id + "').textContent").get<std::string>();
-    }
-    static std::string file_of(const std::string& page) {
-        const auto path = shared_->folder.path() / ("live-" + std::to_string(++shared_->files) + ".html");
-        write_bytes(path, page);
-        return "file://" + path.string();
-    }
     // Opens a page with a small picture at a tick, and takes it over.
     static void take_over(const std::string& page, int tick, int width = 640, int height = 480,
                           bool touch = false) {
@@ -154,14 +136,6 @@ class LivePage : public testing::Test {
         static const SharedSlide slide = share_slide("winter-avalanche", 303);
         return slide;
     }
-
-  private:
-    struct Shared {
-        Chromium browser;
-        support::TemporaryFolder folder;
-        int files = 0;
-    };
-    static inline std::unique_ptr<Shared> shared_;
 };
 
 TEST_F(LivePage, is_taken_over_and_every_tool_by_mouse_is_proven_by_the_program) {

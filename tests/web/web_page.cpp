@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "tests/game/program.h"
+#include "tests/web/browser_test.h"
 #include "tests/web/chromium.h"
 #include "tests/web/loopback.h"
 #include "tests/web/shared_slide.h"
@@ -47,27 +48,13 @@ TEST(WebPageText, closes_each_of_its_scripts_once) {
     EXPECT_EQ(count_of(page, "</script>"), count_of(page, "<script"));
 }
 
-class WebPage : public testing::Test {
+class WebPage : public BrowserTest {
   protected:
-    static void SetUpTestSuite() {
-        if (installed_chromium()) shared_ = std::make_unique<Shared>();
-    }
-    static void TearDownTestSuite() { shared_.reset(); }
-
     void SetUp() override {
-        if (!shared_) GTEST_SKIP() << "chromium is not installed";
-        if (browser().is_stuck()) shared_ = std::make_unique<Shared>();
-        browser().size(640, 400);
+        BrowserTest::SetUp();
+        if (shared_) browser().size(640, 400);
     }
 
-    static Chromium& browser() { return shared_->browser; }
-
-    // Writes a page and returns its address.
-    static std::string file_of(const std::string& page) {
-        const auto path = shared_->folder.path() / ("slide-" + std::to_string(++shared_->files) + ".html");
-        write_bytes(path, page);
-        return "file://" + path.string();
-    }
     static std::string page_file() {
         if (shared_->address.empty()) shared_->address = file_of(avalanche().page);
         return shared_->address;
@@ -92,7 +79,6 @@ class WebPage : public testing::Test {
         return browser().value("document.getElementById('note').textContent").get<std::string>();
     }
     static double number(const std::string& expression) { return browser().value(expression).get<double>(); }
-    static bool holds(const std::string& expression) { return browser().value(expression) == true; }
 
     // A hash of the picture.
     static std::string picture() {
@@ -116,15 +102,6 @@ class WebPage : public testing::Test {
         EXPECT_TRUE(browser().messages().empty()) << browser().messages().front();
         return sentence();
     }
-
-  private:
-    struct Shared {
-        Chromium browser;
-        support::TemporaryFolder folder;
-        std::string address, opened;
-        int files = 0;
-    };
-    static inline std::unique_ptr<Shared> shared_;
 };
 
 TEST_F(WebPage, opens_from_a_file_with_one_request_and_without_a_message) {
