@@ -88,10 +88,7 @@ class Live {
     }
 
     hear({id, failed, over, proof, ...answer}) {
-        if (proof) {
-            this.proof = proof;
-            return;
-        }
+        if (proof) return;  // how far it has come, for whoever listens
         const question = this.questions.get(id);
         this.questions.delete(id);
         if (over) this.end(failed);
@@ -119,9 +116,7 @@ class Live {
         page.play(false);
         try {
             await this.begin();
-            const tick = slide.tickOf(slide.frameNear(slide.tick)), began = performance.now();
-            const answer = await this.ask('takeOver', {tick});
-            this.took = performance.now() - began;
+            const answer = await this.ask('takeOver', {tick: slide.tickOf(slide.frameNear(slide.tick))});
             this.on = true;
             this.show(answer);
         } catch (error) {
@@ -148,7 +143,6 @@ class Live {
         this.spare = {depth: shown.depth, rolling: shown.rolling, speed: shown.speed, along_y: shown.along_y};
         slide.become(status.tick, shown);
         this.status = status;
-        this.puffs = shown.puffs;
         if (said) this.tell(said);
         this.showStatus();
         page.showTime();
@@ -214,11 +208,7 @@ class Live {
             }
             if (ticks === 0 && this.hand.length === 0) continue;
             this.due = Math.max(this.due - ticks, 0);
-            const hand = this.takeHand();
-            const began = performance.now();
-            const answer = await this.ask('step', {ticks, hand});
-            if (ticks > 0) this.msPerTick = (performance.now() - began) / ticks;
-            this.show(answer);
+            this.show(await this.ask('step', {ticks, hand: this.takeHand()}));
         }
         this.due = 0;
         page.draw();
@@ -466,12 +456,12 @@ class Live {
         on('share', () => this.share());
         part('share').hidden = !navigator.canShare?.({files: [new File([''], 'a.couloir')]});
         for (const type of ['pointerdown', 'keydown'])
-            addEventListener(type, () => this.begin().catch(error => this.broken = error.message), {once: true});
+            addEventListener(type, () => this.begin().catch(() => {}), {once: true});  // told by takeOver()
         document.addEventListener('visibilitychange', () => this.wake());
     }
 
     // Returns whether the key means something here.
-    key({key, ctrlKey, metaKey, shiftKey, code}) {
+    key({key, ctrlKey, metaKey, shiftKey}) {
         if ((ctrlKey || metaKey) && key.toLowerCase() === 'z') this.change(shiftKey ? 'redo' : 'undo');
         else if ((ctrlKey || metaKey) && key.toLowerCase() === 'y') this.change('redo');
         else if (ctrlKey || metaKey) return false;

@@ -80,7 +80,6 @@ function must(result) {
 
 // ---- what the page shows ----
 
-const kBuilt = ['built', 'ropes', 'shadows'];  // in the order of the module's built()
 let lastBed = null;
 let sun = [0, 0, 1];  // unit vector to the light
 
@@ -112,7 +111,7 @@ function picture(spare = {}) {
     const stands = bytes(module.stands(), depth.length), mixture = bytes(module.mixture(), 2 * depth.length);
     if (stands) shown.stands = stands;
     if (mixture) shown.mixture = mixture;
-    if (module.build(...sun)) shown.built = kBuilt.map((_, which) =>
+    if (module.build(...sun)) shown.built = [0, 1, 2].map(which =>  // faces, ropes, shadows
         new Float32Array(memory.buffer, module.built_at(which), module.built(which)).slice());
     const bed = field('bed');
     if (!same(lastBed, bed)) {
@@ -196,12 +195,11 @@ const questions = {
                 module[deed](...where);
             }
         }
-        let done = 0;
         if (ticks > 0) {
-            done = module.advance(ticks);
+            module.advance(ticks);
             said = told();
         }
-        return {done, said};
+        return {said};
     },
     wouldAct: () => ({acts: module.would_act() === 1}),
     async seek({tick}) {

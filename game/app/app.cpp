@@ -365,8 +365,9 @@ void App::keep_watched_run(const Score& score) {
         recording_of_try(watched, sandbox_->opening().name, score, now)
             .and_then([&](const std::string& text) { return best_list_.keep(score, now.hash, text); });
     if (!kept) return warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
-    tell(fmt::format("Proven: a score of {}, {}. It counts among the best runs", score.points,
-                     medal_name(score.medal)));
+    if (std::ranges::find(best_list_.runs(), now.hash, &BestRun::hash) != best_list_.runs().end())
+        tell(fmt::format("Proven: a score of {}, {}. It counts among the best runs", score.points,
+                         medal_name(score.medal)));
 }
 
 bool App::has_card() const {

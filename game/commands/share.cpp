@@ -27,6 +27,12 @@ Outcome<int> share(const ShareOptions& options) {
     use.reads(opened->scene.files).reads(page_assets()).writes("--out", options.out);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_place_for(options.out); !placed) return tl::unexpected(placed.error());
+    if (!opened->watched && !scenario.goal && !opened->scene.commands.empty())
+        print_line(stderr,
+                   "couloir: {}: what the scene itself does is not in the page, which begins untouched; "
+                   "couloir run --web "
+                   "writes its slide",
+                   options.world);
     PageOptions page{
         .most_bytes = options.most_bytes, .camera = scenario.camera, .plays = !options.watch_only};
     if (scenario.goal)  // a friend is asked to beat what was done here
