@@ -602,6 +602,19 @@ void add_share(CLI::App& app, ShareOptions& options) {
     add_memory(app, options.memory);
 }
 
+void add_site(CLI::App& app, SiteOptions& options) {
+    app.add_option("worlds", options.worlds,
+                   "scenes, challenges or recordings: names from `couloir list`, or files; else all shipped "
+                   "scenes and "
+                   "challenges")
+        ->type_name("WORLD");
+    app.add_option("--out", options.folder,
+                   "write index.html, a page per world and what belongs to them here")
+        ->type_name("DIR")
+        ->required();
+    add_memory(app, options.memory);
+}
+
 void add_normalise(CLI::App& app, NormaliseOptions& options) {
     app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
@@ -896,6 +909,10 @@ const auto& subcommands() {
         Subcommand{"replay", "replay a recording bit for bit", with(add_replay, replay)},
         Subcommand{"share", "write a scene, a challenge or a recording as a web page that others play",
                    with(add_share, share)},
+        Subcommand{
+            "site",
+            "write a folder for any web server: a page per scene and challenge, which installs as an app",
+            with(add_site, site)},
         Subcommand{"list", "list the shipped scenes, materials, recordings and terrains",
                    with(add_list, list)},
         Subcommand{

@@ -49,7 +49,8 @@ std::set<std::string> sources_named_in(const std::string& text) {
 TEST(SharedConstants, are_the_same_in_cpp_shaders_and_the_page) {
     int compared = 0;
     for (const char* folder : {"assets/shaders", "assets/web"})
-        for (const auto& entry : fs::directory_iterator(support::source_dir() / folder)) {
+        for (const auto& entry : fs::recursive_directory_iterator(support::source_dir() / folder)) {
+            if (!entry.is_regular_file()) continue;
             const std::string text = text_of(entry.path());
             const Constants own = constants_in(text);
             for (const std::string& source : sources_named_in(text)) {

@@ -383,8 +383,21 @@ class Live {
         this.showPlaying();
     }
 
+    // In a site the index shows what was won in this browser.
+    keepBest({won, points, medal}) {
+        const {name} = this.page.info.site ?? {};
+        if (!won || !name) return;
+        try {
+            const best = JSON.parse(localStorage.getItem('couloir.best')) ?? {}, before = best[name];
+            if (before && (before.medal > medal || (before.medal === medal && before.points >= points))) return;
+            localStorage.setItem('couloir.best', JSON.stringify({...best, [name]: {points, medal}}));
+        } catch {  // a browser that keeps nothing, or what is no record
+        }
+    }
+
     showCard(card) {
         this.shownCard = card.tick;
+        this.keepBest(card);
         part('verdict').textContent = card.verdict;
         part('points').textContent = `Score ${number(card.points)}. Bronze from ${this.facts.goal.medals.map(least => number(least)).join(', silver from ').replace(/, silver from ([^,]*)$/, ', gold from $1')}.`;
         part('reason').textContent = [card.needs.some(need => !need.met) && card.reason, card.advice].filter(Boolean).join(' ');

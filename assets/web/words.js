@@ -92,9 +92,9 @@ function describe(info) {
     if (info.goal)
         part('say').textContent = info.goal.to_beat === undefined ? info.goal.say :
             `${info.goal.say} ${number(info.goal.to_beat)} points were scored before you: beat that.`;
-    part('about').textContent = info.last === 0 ? material : m.run_out_m > 0 ?
-        `${material}, ${length} s, run-out ${number(m.run_out_m)} m, up to ${number(m.peak_speed_slope_m_s, 1)} m/s` :
-        `${material}, ${length} s`;
+    part('about').textContent = info.about;
+    part('site').hidden = !info.site;
+    if (info.site) part('site').href = info.site.index;
 
     const numbers = part('numbers'), table = add(numbers, 'table'), centimetres = metres => short(100 * metres, 2);
     for (const [name, value] of [
@@ -128,7 +128,8 @@ function describe(info) {
     }
     add(numbers, 'h2', 'State hash of the end');
     add(numbers, 'code', info.hash);
-    add(numbers, 'p', 'As the program computed it. This page carries it along and cannot compute it.');
+    add(numbers, 'p', info.live ? 'As the program computed it. Whoever takes the slide over has it computed here first, and compared.' :
+        'As the program computed it. This page carries it along and cannot compute it.');
     add(numbers, 'h2', 'What this page keeps');
     add(numbers, 'p', `A state every ${short(info.every * info.tick_s, 2)} s: standing depth within ` +
         `${centimetres(error.depth)} cm, rolling depth within ${centimetres(error.moving)} cm, speed within ` +

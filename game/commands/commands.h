@@ -80,6 +80,14 @@ struct ReplayOptions : OutputOptions {
 };
 Outcome<int> replay(const ReplayOptions& options);
 
+struct SiteOptions {
+    std::filesystem::path folder;
+    std::vector<std::string> worlds;  // names or files; empty: all shipped scenes and challenges
+    Memory memory;
+};
+// Writes a folder that any static host serves: a page per world, and an index.
+Outcome<int> site(const SiteOptions& options);
+
 struct CompareOptions {
     std::string first, second;         // names or files
     std::optional<std::int64_t> tick;  // none: the last tick of each

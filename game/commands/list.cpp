@@ -5,22 +5,9 @@
 #include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
-#include "game/files/toml_table.h"
 #include "game/recording/format.h"
 
 namespace game {
-namespace {
-
-// The title in a shipped TOML file; its name if it has none.
-std::string title_of(AssetKind kind, const std::string& name) {
-    const auto path = find_asset(kind, name);
-    if (!path) return name;
-    const auto document = parse_toml(*path);
-    return document ? (*document)["title"].value_or(name) : name;
-}
-
-}  // namespace
-
 Outcome<int> list(const ListOptions& options) {
     struct Shelf {
         AssetKind kind;
@@ -40,7 +27,7 @@ Outcome<int> list(const ListOptions& options) {
         for (const std::string& name : *names) longest = std::max(longest, one_line(name).size());
         for (const std::string& name : *names) {
             const bool titled = shelf.kind != AssetKind::kRecording;
-            const std::string title = titled ? title_of(shelf.kind, name) : "";
+            const std::string title = titled ? asset_title(shelf.kind, name) : "";
             json[shelf.key].push_back(titled ? Json{{"name", name}, {"title", title}} : Json{{"name", name}});
             text += titled ? fmt::format("  {:<{}}  {}\n", one_line(name), longest, one_line(title))
                            : fmt::format("  {}\n", one_line(name));

@@ -1,8 +1,5 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
-#include "game/analysis/best_runs.h"
 #include "game/base/print.h"
 #include "game/commands/commands.h"
 #include "game/files/assets.h"
@@ -27,20 +24,9 @@ Outcome<int> share(const ShareOptions& options) {
     use.reads(opened->scene.files).reads(page_assets()).writes("--out", options.out);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto placed = make_place_for(options.out); !placed) return tl::unexpected(placed.error());
-    if (!opened->watched && !scenario.goal && !opened->scene.commands.empty())
-        print_line(stderr,
-                   "couloir: {}: what the scene itself does is not in the page, which begins untouched; "
-                   "couloir run --web "
-                   "writes its slide",
-                   options.world);
-    PageOptions page{
-        .most_bytes = options.most_bytes, .camera = scenario.camera, .plays = !options.watch_only};
-    if (scenario.goal)  // a friend is asked to beat what was done here
-        if (const auto folder = best_runs_folder(scenario))
-            if (const auto runs = best_runs(*folder); !runs.empty()) page.to_beat = runs.front().score;
-    const auto written = opened->watched
-                             ? write_page_of(opened->scene.files.front(), options.out, page, nullptr, nullptr)
-                             : write_page_of_world(scenario, options.out, page);
+    const auto written = write_page_of_loaded(
+        *opened, options.out,
+        {.most_bytes = options.most_bytes, .camera = scenario.camera, .plays = !options.watch_only});
     if (!written) return tl::unexpected(written.error());
     print_line(stdout, "{}: {:.1f} MB; {}", options.out.string(), static_cast<double>(written->bytes) / 1e6,
                options.watch_only ? "opens in any browser"

@@ -9,6 +9,7 @@
 
 #include "files/input.h"
 #include "files/module.h"
+#include "game/files/toml_table.h"
 
 namespace game {
 namespace {
@@ -62,6 +63,12 @@ Outcome<std::vector<std::string>> asset_names(AssetKind kind) {
 bool is_asset(AssetKind kind, std::string_view name) {
     const auto names = asset_names(kind);
     return names && std::find(names->begin(), names->end(), name) != names->end();
+}
+
+std::string asset_title(AssetKind kind, const std::string& name) {
+    if (!is_asset(kind, name)) return name;
+    const auto document = find_asset(kind, name).and_then(parse_toml);
+    return document ? (*document)["title"].value_or(name) : name;
 }
 
 tl::unexpected<Failure> unknown_asset(AssetKind kind, std::string_view name) {

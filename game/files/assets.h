@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,9 @@ enum class AssetKind { kScene, kMaterial, kRecording };
 Outcome<std::vector<std::string>> asset_names(AssetKind kind);
 
 bool is_asset(AssetKind kind, std::string_view name);
+
+// The title in a shipped TOML file; its name if it has none, or there is no such asset.
+std::string asset_title(AssetKind kind, const std::string& name);
 
 // The error for a name that no shipped asset has: it lists the names there are.
 tl::unexpected<Failure> unknown_asset(AssetKind kind, std::string_view name);

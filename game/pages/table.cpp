@@ -1,7 +1,9 @@
 #include "game/pages/table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -48,6 +50,24 @@ std::string as_html(const Table& table) {
                                    html_text(table.title), html_row(table.head, table.left, "th"));
     for (const auto& row : table.rows) html += html_row(row, table.left, "td");
     return html + "</tbody></table></div>\n";
+}
+
+std::string with_signs(std::string text) {
+    constexpr std::string_view kTyped = "m3";
+    const auto in_word = [&](std::size_t at) {
+        return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+    };
+    for (std::size_t at = 0; (at = text.find(kTyped, at)) != text.npos; ++at)
+        if (!in_word(at - 1) && !in_word(at + kTyped.size())) text.replace(at, kTyped.size(), "m³");
+    return text;
+}
+
+std::string grouped(double value, int digits) {
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    const std::size_t first = text.front() == '-' ? 1 : 0;
+    for (std::size_t at = std::min(text.find('.'), text.size()); at > first + 3; text.insert(at, "\u202f"))
+        at -= 3;
+    return text;
 }
 
 std::string html_text(const std::string& text) {

@@ -19,4 +19,10 @@ std::string as_html(const Table& table);
 // Escapes the characters that HTML reserves.
 std::string html_text(const std::string& text);
 
+// A text with the signs of print where a keyboard has none: "3,500 m³" of "3,500 m3".
+std::string with_signs(std::string text);
+
+// A number for people to read, with narrow blanks between its thousands: "27 000", "46.2".
+std::string grouped(double value, int digits = 0);
+
 }  // namespace game

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "game/analysis/best_runs.h"
+#include "game/analysis/headless.h"
 #include "game/files/assets.h"
 #include "game/recording/command_source.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
+#include "game/session/session.h"
 
 namespace game {
 
@@ -53,14 +57,37 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     return slide->write(page, *session, read->commands);
 }
 
-Outcome<PageReport> write_page_of_world(const Scenario& scenario, const std::filesystem::path& page,
-                                        const PageOptions& options) {
+Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
+                                         PageOptions options) {
+    if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
+    const Scenario& scenario = world.scene.scenario;
+    if (scenario.goal) {
+        if (options.plays && std::ranges::any_of(scenario.goal->tools, [](const Goal::Tool& tool) {
+                return tool.kind == sim::CommandKind::kPlant;
+            }))
+            return unusable(
+                fmt::format("--web: {} is won by planting, for which a page has no tool yet; --watch-only "
+                            "leaves the world out",
+                            scenario.scene));
+        if (const auto folder = best_runs_folder(scenario))
+            if (const auto runs = best_runs(*folder); !runs.empty()) options.to_beat = runs.front().score;
+    }
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_powder(scenario);
     auto slide = SlidePage::begin(scenario, *session, "", options);
     if (!slide) return tl::unexpected(slide.error());
-    return slide->write(page, *session, {});
+    const std::vector<TimedCommand> commands =
+        scenario.goal ? std::vector<TimedCommand>() : world.scene.commands;
+    if (!commands.empty()) {
+        Until until;
+        until.rest = Until::Rest::kEnergy;
+        Watchers watchers;
+        watchers.keep = [&](const Session& now) { return slide->see(now); };
+        if (const auto ended = play_headless(*session, commands, until, watchers, scenario.scene); !ended)
+            return tl::unexpected(ended.error());
+    }
+    return slide->write(page, *session, commands);
 }
 
 }  // namespace game

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "game/base/outcome.h"
+#include "game/session/loaded_world.h"
 #include "game/share/slide_page.h"
 
 namespace game {
@@ -14,9 +15,12 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
                                   const PageOptions& options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress);
 
-// Writes the page of a world in which nothing was done yet: whoever opens it takes over at tick 0. Errors: as SlidePage.
-Outcome<PageReport> write_page_of_world(const Scenario& scenario, const std::filesystem::path& page,
-                                        const PageOptions& options);
+// Writes the page of what was opened: of a recording, its slide; of a scene that does something by itself, its slide until it
+// comes to rest; of a challenge and of any other world, an untouched one, in which whoever opens the page takes over at tick
+// 0. A challenge asks to beat the best run on this machine. Errors: as SlidePage, and if a challenge has a tool that no page
+// has (status 2).
+Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
+                                         PageOptions options);
 
 // The command by which anybody with a recording repeats its slide and compares the states. `recording`: name of a shipped
 // one, which everybody has, or a file.

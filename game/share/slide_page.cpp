@@ -21,6 +21,7 @@
 #include "game/recording/base64.h"
 #include "game/recording/live_mark.h"
 #include "game/recording/recorder.h"
+#include "game/share/filled.h"
 #include "game/share/in_order.h"
 #include "game/share/packed_motion.h"
 #include "game/share/packed_stream.h"
@@ -57,24 +58,6 @@ constexpr std::array kScripts{
     "draw.js",        "words.js",  "resolution.js", "hands.js",       "live.js",    "page.js"};
 constexpr const char* kModule = "couloir.wasm";  // and the program of the thread that it runs in
 constexpr const char* kWorker = "live_worker.js";
-
-// Replaces every slot @NAME@ of a text by what belongs there.
-std::string filled(std::string_view text,
-                   std::span<const std::pair<std::string_view, std::string_view>> slots) {
-    std::string out;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto* found = slots.data() + slots.size();
-        std::size_t first = std::string_view::npos;
-        for (const auto& slot : slots)
-            if (const std::size_t place = text.find(slot.first, at); place < first)
-                first = place, found = &slot;
-        out += text.substr(at, first - at);
-        if (first == std::string_view::npos) break;
-        out += found->second;
-        at = first + found->first.size();
-    }
-    return out;
-}
 
 // "1.5 MB", so that a small limit does not read 0.0 MB.
 std::string size_text(std::uint64_t bytes) {
@@ -248,6 +231,17 @@ Json overlays_json() {
                  {"stops", stops_json(kChange)}},
             of("peak_depth", "Greatest depth", "peak_depth", render::Overlay::kRolling),
             of("peak_speed", "Greatest speed", "peak_speed", render::Overlay::kSpeed)};
+}
+
+// A slide in a line: material, time, how far, how fast. Of a world in which nothing happened, its material.
+std::string about(const Scenario& scenario, const Measures& measures, double seconds) {
+    std::string words = asset_title(AssetKind::kMaterial, scenario.material);
+    if (scenario.lower) words += " on " + asset_title(AssetKind::kMaterial, scenario.lower->material);
+    if (seconds > 0) words += fmt::format(", {} s", grouped(seconds));
+    if (measures.run_out > 0)
+        words += fmt::format(", run-out {} m, up to {} m/s", grouped(measures.run_out),
+                             grouped(measures.peak_speed_slope, 1));
+    return words;
 }
 
 std::vector<double> to_doubles(std::span<const float> values) {
@@ -490,6 +484,8 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
     Json json{{"format", kPageFormat},
               {"program", kProgram},
               {"title", scenario.title},
+              {"about",
+               about(scenario, measures, static_cast<double>(last_tick) * shortest(scenario.params.tick_s))},
               {"scene", scenario.scene},
               {"material", scenario.material},
               {"terrain", scenario.terrain},
@@ -527,10 +523,11 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"two", scenario.lower.has_value()},
               {"surroundings", !scenery->surroundings().empty()}};
     if (scenario.goal) {
-        json["goal"] = {{"say", scenario.goal->say}};
+        json["goal"] = {{"say", with_signs(scenario.goal->say)}};
         if (options.to_beat) json["goal"]["to_beat"] = *options.to_beat;
     }
     if (scenario.lower) json["lower_material"] = scenario.lower->material;
+    if (options.site_name) json["site"] = {{"index", "index.html"}, {"name", *options.site_name}};
     return json;
 }
 
@@ -628,25 +625,23 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     Json info = p.info(session, commands);
     info["live"] = world->second;
     const std::string title = html_text(one_line(p.scenario.title)), slide = in_script(info);
-    const std::array<std::pair<std::string_view, std::string_view>, 1> program{
-        {{"@PROGRAM@", p.files.program}}};
-    const std::string frame = filled(p.files.frame, program), scripts = names_of_scripts(frame);
+    const std::string frame = filled(p.files.frame, {{"@PROGRAM@", p.files.program}}),
+                      scripts = names_of_scripts(frame);
     const std::string_view policy =
         p.options.plays ? " 'wasm-unsafe-eval'; worker-src blob:" : std::string_view();
-    const std::array<std::pair<std::string_view, std::string_view>, 7> slots{{{"@TITLE@", title},
-                                                                              {"@SCRIPTS@", scripts},
-                                                                              {"@POLICY@", policy},
-                                                                              {"@WORLD@", world->first},
-                                                                              {"@STYLE@", p.files.style},
-                                                                              {"@SLIDE@", slide},
-                                                                              {"@FIELDS@", fields}}};
-    const std::string page = filled(frame, slots);
+    const std::string page = filled(frame, {{"@TITLE@", title},
+                                            {"@SCRIPTS@", scripts},
+                                            {"@POLICY@", policy},
+                                            {"@WORLD@", world->first},
+                                            {"@STYLE@", p.files.style},
+                                            {"@SLIDE@", slide},
+                                            {"@FIELDS@", fields}});
     if (page.size() > p.options.most_bytes)
         return unusable(
             fmt::format("--web: the page has {}, and {} are allowed. Use a larger --every or --size-limit",
                         size_text(page.size()), size_text(p.options.most_bytes)));
     if (auto written = write_text(file, page); !written) return tl::unexpected(written.error());
-    return PageReport{page.size(), p.frames};
+    return PageReport{page.size(), p.frames, info["about"]};
 }
 
 }  // namespace game

@@ -22,11 +22,14 @@ struct PageOptions {
     bool plays = true;  // the page has the world itself, so that whoever opens it can take over
     std::optional<std::int64_t> to_beat =
         std::nullopt;  // of a challenge: the score that the page asks to beat
+    std::optional<std::string> site_name =
+        std::nullopt;  // of a page in a site: its name there; it leads back to the index
 };
 
 struct PageReport {
     std::uint64_t bytes = 0;
     std::int64_t frames = 0;
+    std::string about = {};  // "loose dry snow, 146 s, run-out 1 283 m, up to 46.2 m/s"
 };
 
 // Writes a slide as one web page that plays it in a browser, with its numbers and its state hash, and lets a person take it

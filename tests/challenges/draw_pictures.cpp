@@ -1,12 +1,13 @@
-// Draws the pictures of the list of scenes, assets/scenes/NAME.png, at the moment at which most is in motion: of a
-// challenge, in the recording that wins it; later if nothing ever moves. Run it after a change of a scene or of its
-// looks, for those scenes or for all.
+// Draws the pictures of the shipped scenes at the moment at which most is in motion: of a challenge, in the recording that
+// wins it; later if nothing ever moves. assets/scenes/NAME.png is for the list of scenes, NAME.jpg for the index of a site.
+// Run it after a change of a scene or of its looks, for those scenes or for all.
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include "game/analysis/gallery.h"
@@ -44,6 +45,22 @@ render::Picture shrunk(const render::Texels& large) {
                 small.pixels.push_back(static_cast<std::uint8_t>(sum / (kFiner * kFiner)));
             }
     return small;
+}
+
+constexpr int kJpegQuality = 88;
+
+Outcome<void> write_jpeg(const render::Texels& texels, const fs::path& file) {
+    const auto output = OIIO::ImageOutput::create("jpeg");
+    OIIO::ImageSpec spec(texels.width, texels.height, texels.channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("CompressionQuality", kJpegQuality);
+    const auto row = static_cast<OIIO::stride_t>(texels.width) * texels.channels;
+    if (!output || !output->open(file.string(), spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, texels.values.data() + row * (texels.height - 1),
+                             texels.channels, -row) ||
+        !output->close())
+        return machine_fails(
+            fmt::format("{}: {}", file.string(), output ? output->geterror() : OIIO::geterror()));
+    return {};
 }
 
 Outcome<std::vector<TimedCommand>> commands_of(const std::string& name, const Scene& scene) {
@@ -90,10 +107,13 @@ Outcome<void> draw(const std::string& name) {
     if (auto closed = gallery->close(); !closed) return closed;
     const auto large = render::read_png(folder.path() / "large.png", 3);
     if (!large) return machine_fails(large.error());
-    const fs::path file = support::source_dir() / "assets/scenes" / (name + ".png");
-    if (auto written = render::write_png(shrunk(*large), file, render::kSmallestPngCompression); !written)
+    const fs::path place = support::source_dir() / "assets/scenes", small = place / (name + ".png"),
+                   jpeg = place / (name + ".jpg");
+    if (auto written = render::write_png(shrunk(*large), small, render::kSmallestPngCompression); !written)
         return machine_fails(written.error());
-    fmt::print("{}: at {:.1f} s, {} bytes\n", file.string(), session->seconds(), fs::file_size(file));
+    if (!scene->scenario.flow)  // which no page shows
+        if (auto written = write_jpeg(*large, jpeg); !written) return written;
+    fmt::print("{}: at {:.1f} s\n", name, session->seconds());
     return {};
 }
 

@@ -161,6 +161,7 @@ std::vector<std::string> beginning(const std::string& subcommand) {
         {"edit", {"no.couloir", "--out", "no/new.couloir"}},
         {"normalise", {"no.couloir", "--out", "no/new.couloir"}},
         {"share", {"no.couloir", "--out", "no/new.html"}},
+        {"site", {"no.couloir", "--out", "/dev/null/no"}},
         {"bench", {"no.couloir"}},
         {"release", {"no.tif"}},
         {"track", {"no.obj", "no.npy"}},

@@ -7,8 +7,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <utility>
+
+#include "tests/game/program.h"
 
 namespace game::test {
 namespace {
@@ -21,6 +25,22 @@ void send_all(int connection, const std::string& bytes) {
     }
 }
 
+std::string answer_of(const std::string& bytes, const std::string& type, const std::string& headers) {
+    return "HTTP/1.1 200 OK\r\nContent-Type: " + type + "\r\nConnection: close\r\n" + headers +
+           "Content-Length: " + std::to_string(bytes.size()) + "\r\n\r\n" + bytes;
+}
+
+std::string type_of(const std::filesystem::path& file) {
+    static const std::map<std::string, std::string> kTypes{{".html", "text/html"},
+                                                           {".css", "text/css"},
+                                                           {".js", "text/javascript"},
+                                                           {".svg", "image/svg+xml"},
+                                                           {".png", "image/png"},
+                                                           {".jpg", "image/jpeg"},
+                                                           {".webmanifest", "application/manifest+json"}};
+    return kTypes.at(file.extension().string());
+}
+
 bool ends_soon(int descriptor, int milliseconds) {
     pollfd asked{descriptor, POLLIN, 0};
     return poll(&asked, 1, milliseconds) <= 0;
@@ -29,11 +49,28 @@ bool ends_soon(int descriptor, int milliseconds) {
 }  // namespace
 
 Loopback::Loopback(std::string page, const std::string& headers)
-    : answer_("HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nConnection: close\r\n" + headers +
-              "Content-Length: " + std::to_string(page.size()) + "\r\n\r\n" + std::move(page)),
-      listening_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    : Loopback([answer = answer_of(page, "text/html", headers)](const std::string&) { return answer; }, 0) {}
+
+Loopback::Loopback(const std::filesystem::path& folder, const std::string& headers, int port)
+    : Loopback(
+          [folder, headers](const std::string& request) {
+              std::string name =
+                  request.substr(5, request.find_first_of(" ?", 5) - 5);  // "GET /name HTTP/1.1"
+              if (name.empty()) name = "index.html";
+              const std::filesystem::path file = folder / name;
+              if (!std::filesystem::exists(file))
+                  return std::string("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n");
+              return answer_of(read_bytes(file), type_of(file), headers);
+          },
+          port) {}
+
+Loopback::Loopback(Answer answer, int port)
+    : answer_(std::move(answer)), listening_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    const int again = 1;  // another server may have had this port a moment ago
+    setsockopt(listening_, SOL_SOCKET, SO_REUSEADDR, &again, sizeof again);
     sockaddr_in place{};
     place.sin_family = AF_INET;
+    place.sin_port = htons(static_cast<std::uint16_t>(port));
     place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     auto* const general = reinterpret_cast<sockaddr*>(&place);
     socklen_t size = sizeof place;
@@ -69,7 +106,7 @@ void Loopback::serve() {
         }
         if (request.find("\r\n\r\n") != std::string::npos) {
             ++requests_;
-            send_all(connection, answer_);
+            send_all(connection, answer_(request));
         }
         close(connection);
     }
