@@ -1,5 +1,6 @@
 // The picture: draws a slide at its moment with the program's own shaders, in the order of render/frame.cpp.
 const kDebrisTiles = 9;  // along the longer side
+const kFlowOffset = [1, 64];  // by slope, and steps of depth: the flow lies on other triangles of the same heights
 
 class Picture {
     // Throws an error whose message is a sentence for the viewer.
@@ -63,6 +64,9 @@ class Picture {
         if (info.texture)
             this.programs.debris = add(['rectangles.vert'], [...frame, 'window_depth.glsl', 'debris.frag', 'grain.glsl',
                                                              'paint_blended.glsl']);
+        if (info.texture && info.live)
+            this.programs.flow = add([...frame, 'triangle_height.glsl', 'flow_live.vert'],
+                                     [...frame, 'flow.frag', 'grain.glsl', 'paint_blended.glsl']);
         if (info.surroundings)
             this.programs.around = add([...frame, 'cover.glsl', 'surroundings.vert'],
                                        [...frame, 'cover.glsl', 'light.glsl', 'ground.glsl', 'surroundings.frag',
@@ -206,7 +210,7 @@ class Picture {
         const skins = this.programs.debris ? ['SLOT_SKIN_ALBEDO', 'SLOT_SKIN_RELIEF'] : [];
         const skin = skins.map(slot => make(slot, gl.RGBA16F));
         const frames = {scene: gpu.target([colour], depth), ground: gpu.target([], ground), sky: gpu.target([sky]),
-                        air: gpu.target([colour]), skin: gpu.target(skin)};
+                        air: gpu.target([colour]), skin: gpu.target(skin), flow: gpu.target(skin, depth)};
         this.target = {width, height, isSmoothed, depth, ground, colour, sky, skin, frames,
                        textures: [depth, ground, colour, sky, ...skin]};
         if (isSmoothed) this.addSmoothing();
@@ -253,7 +257,8 @@ class Picture {
 
         // Debris is drawn unlit, so that ground and debris are lit together, once per pixel.
         const rectangles = this.tiles.rectangles(this.target.width, this.target.height, onScreen);
-        if (this.programs.debris) this.drawDebris(rectangles);
+        if (this.programs.flow && this.slide.flow) this.drawFlow();
+        else if (this.programs.debris) this.drawDebris(rectangles);
         this.mark('debris');
         this.shadeTerrain(rectangles, overlay, cursor);
         this.mark('terrain');
@@ -395,6 +400,30 @@ class Picture {
         debris.use();
         gl.uniform1f(debris.at('seconds'), slide.tick * slide.info.tick_s);
         gpu.drawRectangles(debris, [...withSlides, ...withWalls]);
+        gpu.bind(slots.SLOT_SKIN_ALBEDO, albedo);
+        gpu.bind(slots.SLOT_SKIN_RELIEF, relief);
+        this.into('scene');
+    }
+
+    // The same of a world that goes on, with the texture that the flow has carried, cut along its fronts.
+    drawFlow() {
+        const {gl, gpu, slots} = this, {vertices, indices, version} = this.slide.flow, [albedo, relief] = this.target.skin;
+        if (this.sentFlow !== version) {
+            this.sentFlow = version;
+            this.flowMesh ??= gpu.growing([2, 4, 4, 4, 4, 2]);
+            gpu.refill(this.flowMesh, vertices, indices);
+        }
+        gpu.bind(slots.SLOT_SKIN_ALBEDO, null);
+        gpu.bind(slots.SLOT_SKIN_RELIEF, null);
+        gpu.bind(slots.SLOT_RELIEF, this.fields.relief);
+        this.into('flow');
+        gl.clearColor(0, 0, 0, 0);
+        gl.clear(gl.COLOR_BUFFER_BIT);
+        gl.depthMask(false);
+        gl.polygonOffset(...kFlowOffset);
+        gpu.enabled([gl.DEPTH_TEST, gl.CULL_FACE, gl.POLYGON_OFFSET_FILL], () => gpu.drawMesh(this.programs.flow, this.flowMesh));
+        gl.polygonOffset(0, 0);
+        gl.depthMask(true);
         gpu.bind(slots.SLOT_SKIN_ALBEDO, albedo);
         gpu.bind(slots.SLOT_SKIN_RELIEF, relief);
         this.into('scene');

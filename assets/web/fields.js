@@ -292,6 +292,7 @@ class Slide {
                 this.lowerDepth[i] = shown.mixture[2 * i] / 255;
                 this.lowerRolling[i] = shown.mixture[2 * i + 1] / 255;
             }
+        this.flow = shown.flowVertices && {vertices: shown.flowVertices, indices: shown.flowIndices, version: this.version};
         if (shown.built) this.built = shown.built, this.builtVersion = this.version;
         if (shown.bed) this.bed.set(shown.bed), this.bedVersion = this.version;
         this.findSurface();

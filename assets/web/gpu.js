@@ -130,6 +130,25 @@ class Gpu {
         return {array, count: indices.length};
     }
 
+    // Triangles that change from picture to picture; `attributes` as in vertices().
+    growing(attributes) {
+        const {gl} = this, {array, buffer} = this.interleaved(new Float32Array(0), attributes), elements = gl.createBuffer();
+        gl.bindVertexArray(array);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, elements);
+        gl.bindVertexArray(null);
+        return {array, buffer, elements, count: 0};
+    }
+
+    refill(mesh, numbers, indices) {
+        const {gl} = this;
+        gl.bindVertexArray(mesh.array);
+        gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
+        gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STREAM_DRAW);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STREAM_DRAW);
+        gl.bindVertexArray(null);
+        mesh.count = indices.length;
+    }
+
     // ---- drawing ----
 
     // Calls `draw` with some tests on; they are off everywhere else.

@@ -111,6 +111,11 @@ function picture(spare = {}) {
     const stands = bytes(module.stands(), depth.length), mixture = bytes(module.mixture(), 2 * depth.length);
     if (stands) shown.stands = stands;
     if (mixture) shown.mixture = mixture;
+    const floats = module.flow();
+    if (floats >= 0) {
+        shown.flowVertices = new Float32Array(memory.buffer, module.flow_vertices(), floats).slice();
+        shown.flowIndices = new Uint32Array(memory.buffer, module.flow_indices(), module.flow_count()).slice();
+    }
     if (module.build(...sun)) shown.built = [0, 1, 2].map(which =>  // faces, ropes, shadows
         new Float32Array(memory.buffer, module.built_at(which), module.built(which)).slice());
     const bed = field('bed');

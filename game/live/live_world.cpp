@@ -108,17 +108,16 @@ Outcome<LiveWorld> LiveWorld::open(const std::string& recording, std::string nam
         return unusable(fmt::format("{}: a flow demo has no slide to take over", name));
     loaded.name = name;
     loaded.scene.scenario = read->header.scenario;
-    loaded.scene.scenario.look.flow
-        .reset();  // a page does not draw debris by fronts; what is recorded keeps its look
+    const std::optional<render::FlowLook> look = std::exchange(loaded.scene.scenario.look.flow, std::nullopt);
     loaded.scene.commands = read->commands;
     loaded.watched = std::move(*read);
     auto sandbox = Sandbox::begin(std::move(loaded), {}, std::nullopt);
     if (!sandbox) return tl::unexpected(sandbox.error());
-    return LiveWorld(std::move(*sandbox), std::move(name));
+    return LiveWorld(std::move(*sandbox), std::move(name), look);
 }
 
-LiveWorld::LiveWorld(Sandbox sandbox, std::string name)
-    : sandbox_(std::move(sandbox)), name_(std::move(name)) {
+LiveWorld::LiveWorld(Sandbox sandbox, std::string name, std::optional<render::FlowLook> look)
+    : sandbox_(std::move(sandbox)), name_(std::move(name)), look_(look) {
     hand_.suit(sandbox_.scenario().grid);
     fit_hand();
 }
@@ -174,6 +173,7 @@ Outcome<void> LiveWorld::take_over() {
     }
     score_.reset();
     auto taken = sandbox_.take_over(in_memory(name_));
+    if (look_) sandbox_.follow_fronts(*std::exchange(look_, std::nullopt));
     fit_hand();
     return taken;
 }

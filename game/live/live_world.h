@@ -66,12 +66,14 @@ class LiveWorld {
     Json status() const;
 
   private:
-    LiveWorld(Sandbox sandbox, std::string name);
+    LiveWorld(Sandbox sandbox, std::string name, std::optional<render::FlowLook> look);
     void judge();
     void fit_hand();
 
     Sandbox sandbox_;
     std::string name_;
+    std::optional<render::FlowLook>
+        look_;  // of the debris, until a person takes over: the proof needs no fronts
     Hand hand_;
     std::optional<Score> score_;
 };

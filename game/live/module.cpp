@@ -27,6 +27,8 @@ constexpr terrains::JsonLimits kQuestion{.depth = 4, .values = 64, .members = 16
 std::string given, told;  // the texts that came in and go out
 std::optional<LiveWorld> world;
 LivePicture picture;
+const render::FlowMesh* flow_mesh = nullptr;                          // made last
+static_assert(sizeof(render::FlowMeshVertex) == 20 * sizeof(float));  // as Picture.drawFlow() has them
 
 int fails(std::string sentence) {
     told = std::move(sentence);
@@ -205,6 +207,20 @@ EXPORTED(built_at) const void* built_at(int which) {
     return which == 0   ? static_cast<const void*>(picture.faces().data())
            : which == 1 ? static_cast<const void*>(picture.ropes().data())
                         : static_cast<const void*>(picture.shadows().data());
+}
+// Triangles of debris (LivePicture::flow()): makes them; how many floats its vertices have, or −1: none.
+EXPORTED(flow) int flow() {
+    flow_mesh = picture.flow(*world);
+    return flow_mesh ? static_cast<int>(flow_mesh->vertices().size_bytes() / sizeof(float)) : -1;
+}
+EXPORTED(flow_vertices) const void* flow_vertices() {
+    return flow_mesh->vertices().data();
+}
+EXPORTED(flow_indices) const std::uint32_t* flow_indices() {
+    return flow_mesh->indices().data();
+}
+EXPORTED(flow_count) int flow_count() {
+    return static_cast<int>(flow_mesh->indices().size());
 }
 // sim::powder::Puff, one after the other.
 EXPORTED(puffs) int puffs() {

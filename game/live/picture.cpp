@@ -9,6 +9,14 @@ const sim::Field<float>& LivePicture::ground(const LiveWorld& world) {
     return bare ? *bare : world.state().bedrock;
 }
 
+const render::FlowMesh* LivePicture::flow(const LiveWorld& world) {
+    const Scenario& scenario = world.sandbox().scenario();
+    const Session& session = world.sandbox().session();
+    if (!session.fronts()) return nullptr;
+    flow_.make(*session.fronts(), session.view(), scenario.depth, scenario.look);
+    return &flow_;
+}
+
 const std::vector<std::uint8_t>& LivePicture::mixture(const LiveWorld& world) {
     render::drawn_mixture(world.sandbox().session().view(), mixture_);
     return mixture_;

@@ -9,6 +9,7 @@
 
 #include "game/live/live_world.h"
 #include "render/buildings/structure_mesh.h"
+#include "render/flow/flow_mesh.h"
 #include "render/mountain/bare_ground.h"
 
 namespace game {
@@ -18,6 +19,10 @@ class LivePicture {
   public:
     // The ground without buildings, which are drawn by their triangles. Valid until the next call.
     const sim::Field<float>& ground(const LiveWorld& world);
+
+    // The triangles that show what flows and what has come to rest, with the textures that it carries, cut along its fronts;
+    // null before a person takes over, and in a world without such a texture.
+    const render::FlowMesh* flow(const LiveWorld& world);
 
     // Two bytes per vertex of a world with two materials (render::drawn_mixture()); else none.
     const std::vector<std::uint8_t>& mixture(const LiveWorld& world);
@@ -34,6 +39,7 @@ class LivePicture {
 
   private:
     render::BareGround bare_;
+    render::FlowMesh flow_;
     std::vector<std::uint8_t> mixture_, stands_;
     std::vector<glm::vec2> cover_;
     std::optional<render::Structures> built_;

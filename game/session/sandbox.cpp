@@ -54,6 +54,11 @@ Outcome<Sandbox> Sandbox::begin(LoadedWorld loaded, const sim::StepOptions& opti
     return Sandbox(std::move(loaded), std::move(*session));
 }
 
+void Sandbox::follow_fronts(const render::FlowLook& look) {
+    opening_.scene.scenario.look.flow = look;
+    session_.follow_fronts(scenario());
+}
+
 std::optional<Verdict> Sandbox::verdict() const {
     return verifier_ ? std::optional(verifier_->verdict()) : std::nullopt;
 }

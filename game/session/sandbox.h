@@ -35,6 +35,8 @@ class Sandbox {
     const Scenario& scenario() const { return opening_.scene.scenario; }
     const LoadedWorld& opening() const { return opening_; }  // what it began with
     const Session& session() const { return session_; }
+    // From now on fronts are tracked and carry a texture, as `look` has it; for a world that began without.
+    void follow_fronts(const render::FlowLook& look);
     void set_flow(const sim::fields::FlowNumbers& numbers) { session_.set_flow(numbers); }
 
     // Last tick whose commands are known, from the recording or because it was played before.

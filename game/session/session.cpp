@@ -152,6 +152,7 @@ Outcome<void> Session::go_to(const Checkpoint& moment) {
 void Session::put(const Checkpoint& moment) {
     sim::restore(moment.world, state_);
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
+    if (fronts_ && !moment.textures) fronts_->begin_anew(view(), engine_->workers);
     if (powder_) powder_->restore(moment.powder);
     peaks_.go_on(moment.peaks);
     peaks_.see(state_);

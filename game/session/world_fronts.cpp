@@ -42,10 +42,14 @@ void WorldFronts::track(const sim::View& world, double dt, sim::Workers& workers
 
 void WorldFronts::restore(const sim::View& world, const sim::front::TextureLayers::Memory& memory,
                           sim::Workers& workers) {
-    // Points at a level do not depend on the past: a new tracker finds the same ones.
+    begin_anew(world, workers);
+    view_->layers().restore(memory);
+}
+
+// Points at a level do not depend on the past: a new tracker finds the same ones.
+void WorldFronts::begin_anew(const sim::View& world, sim::Workers& workers) {
     begin();
     track(world, 1, workers);
-    view_->layers().restore(memory);
 }
 
 // Row by row, without the halo.

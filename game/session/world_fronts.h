@@ -36,6 +36,8 @@ class WorldFronts {
     // Goes back to `memory`, taken when the world was `world`; restores the blend.
     void restore(const sim::View& world, const sim::front::TextureLayers::Memory& memory,
                  sim::Workers& workers);
+    // Goes to `world` with textures that have never moved.
+    void begin_anew(const sim::View& world, sim::Workers& workers);
 
   private:
     void begin();

@@ -1,14 +1,18 @@
 #include "game/live/live_world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <random>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "game/analysis/headless.h"
+#include "game/live/picture.h"
 #include "game/recording/command_source.h"
 #include "game/recording/recorder.h"
 #include "game/scene/scene.h"
@@ -117,6 +121,41 @@ void do_something(LiveDice& dice, LiveWorld& world) {
     }
 }
 
+// The triangles that a page draws are whole, wherever the world went.
+void check_flow(LivePicture& picture, const LiveWorld& world) {
+    const render::FlowMesh* const flow = picture.flow(world);
+    ASSERT_NE(flow, nullptr);
+    for (const std::uint32_t index : flow->indices()) ASSERT_LT(index, flow->vertices().size());
+    for (const render::FlowMeshVertex& vertex : flow->vertices())
+        for (const glm::vec2& offset : vertex.offset)
+            ASSERT_TRUE(std::isfinite(offset.x) && std::isfinite(offset.y))
+                << vertex.at.x << ", " << vertex.at.y;
+}
+
+TEST(LiveWorld, carries_the_texture_of_debris_from_where_it_was_taken_over) {
+    auto world = LiveWorld::open(recording_of("landslide", 300), "slide").value();
+    LivePicture picture;
+    ASSERT_EQ(world.advance(200).ticks, 200);
+    EXPECT_EQ(picture.flow(world), nullptr) << "while the slide is proven, nobody draws it";
+    ASSERT_TRUE(world.take_over());
+    const auto farthest = [&] {
+        float most = 0;
+        for (const render::FlowMeshVertex& vertex : picture.flow(world)->vertices())
+            most = std::max(most, glm::length(vertex.offset[0]));
+        return most;
+    };
+    check_flow(picture, world);
+    EXPECT_GT(picture.flow(world)->indices().size(), 100u);
+    ASSERT_EQ(world.advance(30).ticks, 30);
+    EXPECT_GT(farthest(), 0.5f) << "m, in half a second";
+    // At a moment from before, no texture had moved.
+    ASSERT_TRUE(world.seek(160, 1000).value());
+    check_flow(picture, world);
+    ASSERT_TRUE(world.seek(230, 1000).value());
+    check_flow(picture, world);
+    EXPECT_GT(farthest(), 0.5f);
+}
+
 TEST(LiveWorld, records_random_sessions_that_a_replay_proves) {
     int acted = 0;
     for (const char* scene : {"landslide", "winter-avalanche", "snow-on-soil", "protection"}) {
@@ -126,7 +165,11 @@ TEST(LiveWorld, records_random_sessions_that_a_replay_proves) {
             auto world = LiveWorld::open(text, "slide").value();
             static_cast<void>(world.advance(dice.below(130)));
             ASSERT_TRUE(world.take_over());
-            for (int i = 0; i < 8; ++i) do_something(dice, world);
+            LivePicture picture;
+            for (int i = 0; i < 8; ++i) {
+                do_something(dice, world);
+                check_flow(picture, world);
+            }
             ASSERT_TRUE(world.seek(world.sandbox().known_until(), 100000).value());
             const Recording mine = read(world.recorded().value());
             EXPECT_FALSE(mine.warning) << *mine.warning;

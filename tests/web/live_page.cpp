@@ -184,6 +184,20 @@ TEST_F(LivePage, shows_exactly_what_the_world_has) {
     for (const auto& each : shown["rolling"]) volume += each.get<double>();
     EXPECT_GT(volume, 0);
     EXPECT_EQ(shown["rolling"].size(), 49u * 49u);
+    // What flows has its own triangles, and they are drawn otherwise than what a page makes of a recorded slide.
+    EXPECT_TRUE(holds("couloir.live.slide.flow.indices.length > 30"));
+    EXPECT_TRUE(
+        holds("Math.max(...couloir.live.slide.flow.indices) < couloir.live.slide.flow.vertices.length / 20"));
+    EXPECT_TRUE(holds(R"((() => {
+        const {page, slide} = couloir.live, {picture} = page;
+        const drawn = () => { picture.draw({view: page.view()}); return picture.pixels().bytes; };
+        const carried = drawn(), {flow} = slide;
+        slide.flow = undefined;
+        const other = drawn();
+        slide.flow = flow;
+        return carried.some((byte, i) => Math.abs(byte - other[i]) > 8) && drawn().every((byte, i) => byte === carried[i]);
+    })())"));
+    EXPECT_EQ(browser().messages(), std::vector<std::string>());
 }
 
 TEST_F(LivePage, acts_under_one_finger_and_turns_under_two) {
