@@ -385,11 +385,11 @@ class Live {
 
     // In a site the index shows what was won in this browser.
     keepBest({won, points, medal}) {
-        const {name} = this.page.info.site ?? {};
+        const {name} = this.page.info.site ?? {}, rank = of => ['bronze', 'silver', 'gold'].indexOf(of);
         if (!won || !name) return;
         try {
             const best = JSON.parse(localStorage.getItem('couloir.best')) ?? {}, before = best[name];
-            if (before && (before.medal > medal || (before.medal === medal && before.points >= points))) return;
+            if (before && (rank(before.medal) > rank(medal) || (before.medal === medal && before.points >= points))) return;
             localStorage.setItem('couloir.best', JSON.stringify({...best, [name]: {points, medal}}));
         } catch {  // a browser that keeps nothing, or what is no record
         }

@@ -123,19 +123,62 @@ TEST_F(SiteInBrowser, takes_a_new_version_whole_and_keeps_no_damaged_page) {
     EXPECT_TRUE(browser().comes("document.body.textContent.startsWith('There is no network')", 20));
 }
 
-TEST_F(SiteInBrowser, shows_what_was_won_in_this_browser) {
+// Digs by a real mouse, as in tests/challenges/quarry_won.couloir.
+TEST_F(SiteInBrowser, lets_a_challenge_be_won_as_the_program_scores_it_and_shows_what_was_won) {
     serve();
-    ASSERT_EQ(browser().open(address("quarry-hard.html")), "ready");
-    browser().value("couloir.live.keepBest({won: true, points: 4500, medal: 2})");
-    browser().value("couloir.live.keepBest({won: true, points: 4400, medal: 2})");
-    browser().value("couloir.live.keepBest({won: false, points: 9000, medal: 3})");
+    browser().size(1280, 720);
     ASSERT_EQ(browser().open(address("quarry.html")), "ready");
-    browser().value("couloir.live.keepBest({won: true, points: 5000, medal: 2})");
+    browser().value("couloir.freeze(0.2)");
+    browser().press("t");
+    ASSERT_TRUE(browser().comes("couloir.live.on", 60)) << text("told");
+    browser().value("couloir.live.setRadius(3.126)");
+    for (const char* place : {"51.9, 142.1", "34.3, 142.0"}) {
+        // Where a point of the ground is seen, px.
+        const Json at = browser().value(R"(((x, y) => {
+            let best = {d: Infinity};
+            const look = (u0, v0, u1, v1, n) => {
+                for (let i = 0; i <= n * n; ++i) {
+                    const u = u0 + (u1 - u0) * (i % n) / n, v = v0 + (v1 - v0) * Math.floor(i / n) / n;
+                    const at = document.elementFromPoint(u, v)?.id === 'view' && couloir.pick(u, v), d = Math.hypot(at?.x - x, at?.y - y);
+                    if (d < best.d) best = {u, v, d};
+                }
+            };
+            look(0, 0, innerWidth - 1, innerHeight - 1, 50);
+            for (let s = 16; s > 0.4; s /= 2) look(best.u - s, best.v - s, best.u + s, best.v + s, 8);
+            return best;
+        })()" + std::string(place) + ")");
+        ASSERT_LT(at["d"].get<double>(), 0.5) << "m";
+        Json mouse{{"type", "mousePressed"}, {"x", at["u"]}, {"y", at["v"]},
+                   {"button", "left"},       {"buttons", 1}, {"clickCount", 1}};
+        const std::string dug =
+            "couloir.live.status.tick - " + browser().value("couloir.live.status.tick").dump();
+        browser().call("Input.dispatchMouseEvent", mouse);
+        ASSERT_TRUE(browser().comes(dug + " > 150", 60));  // ticks
+        mouse["type"] = "mouseReleased";
+        browser().call("Input.dispatchMouseEvent", mouse);
+    }
+    browser().value(
+        "document.getElementById('rate').value = 8, document.getElementById('rate').dispatchEvent(new "
+        "Event('change'))");
+    browser().size(160, 120);  // which is drawn sooner
+    ASSERT_TRUE(browser().comes("document.getElementById('card').open", 120));
+    EXPECT_EQ(text("verdict"), "Won: gold");
+    const auto score = browser().value("couloir.live.status.card.points").get<std::int64_t>();
+    const std::string recording =
+        browser().value("couloir.live.recorded().then(file => file.text())").get<std::string>();
+    write_bytes(folder_.path() / "mine.couloir", recording);
+    const Finished proven =
+        couloir({"replay", (folder_.path() / "mine.couloir").string(), "--verify", "--score"});
+    EXPECT_EQ(proven.status, 0) << proven.err;
+    EXPECT_NE(proven.out.find("score " + std::to_string(score)), std::string::npos) << proven.out;
+    EXPECT_NE(proven.out.find("exact: all"), std::string::npos) << proven.out;
+
     ASSERT_EQ(browser().open(address()), "ready");
-    EXPECT_EQ(browser().value("document.querySelector('.best[data-best=quarry]').textContent"),
-              "Your best here: 5\u202f000, silver");
-    EXPECT_EQ(browser().value("document.querySelector('[data-after]').textContent"), ": 4\u202f500, silver");
-    EXPECT_EQ(browser().value("document.querySelectorAll('.medals .won').length"), 2);
+    EXPECT_EQ(
+        browser().value("document.querySelector('.best[data-best=quarry]').textContent.replace(/\\D/g, '')"),
+        std::to_string(score));
+    EXPECT_TRUE(holds("document.querySelector('.best[data-best=quarry]').textContent.endsWith(', gold')"));
+    EXPECT_EQ(browser().value("document.querySelectorAll('.medals .won').length"), 3);
     browser().value("localStorage.setItem('couloir.best', '{')");
     EXPECT_EQ(browser().open(address()), "ready") << "what is no record is left alone";
 }

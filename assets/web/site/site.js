@@ -17,13 +17,13 @@ function showBest() {
         return;  // a browser that keeps nothing, or what is no record
     }
     for (const link of document.querySelectorAll('[data-world]')) {
-        const {points, medal} = best[link.dataset.world] ?? {};
-        if (!Number.isFinite(points) || !(medal >= 0 && medal <= 3)) continue;
-        const name = ['no medal', 'bronze', 'silver', 'gold'][medal], score = points.toLocaleString('en').replaceAll(',', '\u202f');
+        const {points, medal} = best[link.dataset.world] ?? {}, rank = ['bronze', 'silver', 'gold'].indexOf(medal);
+        if (!Number.isFinite(points) || rank < 0) continue;
+        const score = points.toLocaleString('en').replaceAll(',', '\u202f');
         const words = link.closest('.words'), said = words.querySelector(`[data-best="${CSS.escape(link.dataset.world)}"]`);
-        said.textContent = said.dataset.after ? `: ${score}, ${name}` : `Your best here: ${score}, ${name}`;
+        said.textContent = said.dataset.after ? `: ${score}, ${medal}` : `Your best here: ${score}, ${medal}`;
         said.hidden = false;
-        if (!said.dataset.after) words.querySelectorAll('.medals li').forEach((each, i) => each.classList.toggle('won', i < medal));
+        if (!said.dataset.after) words.querySelectorAll('.medals li').forEach((each, i) => each.classList.toggle('won', i <= rank));
     }
 }
 
