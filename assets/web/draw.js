@@ -139,6 +139,7 @@ class Picture {
             openness: field('SLOT_OPENNESS', gl.R16F, gl.NEAREST),
             relief: field('SLOT_RELIEF', gl.RGBA32F, gl.NEAREST), filtered: field('SLOT_RELIEF', gl.RGBA16F, gl.LINEAR),
             layers: field('SLOT_LAYERS', gl.RGBA8, gl.LINEAR), measure: field('SLOT_MEASURE', gl.RG16F, gl.LINEAR),
+            extent: slide.info.goal?.ghost_step === undefined ? null : field('SLOT_EXTENT', gl.R16F, gl.LINEAR),
             mixture: slide.info.two ? field('SLOT_MIXTURE', gl.RG8, gl.LINEAR) : null,
         };
         this.surface = gpu.target([this.fields.relief, this.fields.filtered, this.fields.layers]);
@@ -249,6 +250,7 @@ class Picture {
         frame.setView(view, samples);
         frame.setOverlay(overlay, overlay && this.legend(overlay));
         frame.setRing(cursor);
+        frame.setExtent(this.slide.extent);
         frame.send();
         this.sendFields(overlay);
         this.mark('fields');
@@ -318,6 +320,9 @@ class Picture {
             gpu.bind(slots.SLOT_FIRST_DEPTH, fields.firstDepthFiltered);
             this.tiles.findBlocks();
         }
+        if (slide.extent && slide.extent !== this.sentExtent)
+            gpu.upload(slots.SLOT_EXTENT, fields.extent, nx, ny, slide.extent.inside);
+        this.sentExtent = slide.extent;
         if (overlay && overlay !== this.sentOverlay)
             gpu.upload(slots.SLOT_MEASURE, fields.measure, nx, ny, this.measure(overlay));
         this.sentOverlay = overlay;
@@ -432,8 +437,9 @@ class Picture {
     shadeTerrain(rectangles, overlay, cursor) {
         const {gl, gpu, slots, fields} = this;
         const shading = overlay ? this.shading('marks.glsl', 'overlay.glsl')
-            : cursor ? this.shading('marks.glsl', 'overlay_none.glsl') : this.shading('marks_none.glsl');
+            : cursor || this.slide.extent ? this.shading('marks.glsl', 'overlay_none.glsl') : this.shading('marks_none.glsl');
         gpu.bind(slots.SLOT_RELIEF, fields.filtered);
+        gpu.bind(slots.SLOT_EXTENT, fields.extent);  // which others use as well
         gl.depthMask(false);
         gl.depthFunc(gl.LESS);
         gpu.enabled([gl.DEPTH_TEST], () =>

@@ -61,6 +61,11 @@ class FrameBlock {
         if (point) this.floats('ring_colour').set(point.colour);
     }
 
+    // `extent`: of what a ghost had reached, or none.
+    setExtent(extent) {
+        this.floats('contours')[2] = extent ? 1 : 0;
+    }
+
     send() {
         const {gl} = this;
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.buffer);

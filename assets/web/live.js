@@ -137,12 +137,23 @@ class Live {
         say('You have taken over. What you do is recorded.');
     }
 
+    // Where the run that is to be beaten was at the same time of its try, as game/session/run_extent.h has it.
+    showGhost() {
+        const {goal} = this.page.info, {slide} = this;
+        if (goal?.ghost_step === undefined) return;
+        const {try_ticks: ticks} = this.status, last = ticks < 0 ? 0 : 1 + Math.floor(ticks / goal.ghost_step);
+        if (last === (slide.extent?.last ?? 0)) return;
+        this.steps ??= slide.array('ghost');
+        slide.extent = last > 0 ? {last, inside: Float32Array.from(this.steps, step => step > 0 && step <= last ? 1 : 0)} : null;
+    }
+
     // Shows an answer of the worker.
     show({status, shown, said}) {
         const {slide, page} = this;
         this.spare = {depth: shown.depth, rolling: shown.rolling, speed: shown.speed, along_y: shown.along_y};
         slide.become(status.tick, shown);
         this.status = status;
+        this.showGhost();
         if (said) this.tell(said);
         this.showStatus();
         page.showTime();

@@ -91,7 +91,7 @@ function describe(info) {
     part('task').hidden = !info.goal;
     if (info.goal)
         part('say').textContent = info.goal.to_beat === undefined ? info.goal.say :
-            `${info.goal.say} ${number(info.goal.to_beat)} points were scored before you: beat that.`;
+            `${info.goal.say} ${number(info.goal.to_beat)} points were scored before you: beat that. A dashed line shows where that run was.`;
     part('about').textContent = info.about;
     part('site').hidden = !info.site;
     if (info.site) part('site').href = info.site.index;

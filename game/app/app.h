@@ -121,6 +121,7 @@ class App {
     void perform(const SaveWorld&);
     void perform(const MakeChallenge&);
     void perform(const TryChallenge&);
+    void perform(const ChallengeFriend&);
     void perform(const CoverGround& wish);
     void pause(bool on);
     void undo();
@@ -129,6 +130,7 @@ class App {
     void stop_hand();
     void reset();
     void share();
+    void share(Outcome<std::string> recording);
     void tell_results();
     void tell_made();
     void judge_attempt();

@@ -366,19 +366,28 @@ void App::reset() {
 
 void App::share() {
     const Session& session = sandbox_->session();
-    if (sharing_.progress()) return tell("A slide is being shared already. Share the next one after it");
     if (sandbox_->scenario().flow) return tell("A flow demo cannot be shared: it has no slide to play");
     // In the first tick all is looked at, so that it counts as changed.
-    if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1)
+    if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1) {
+        if (sandbox_->scenario().goal) return perform(ChallengeFriend{});
         return tell("Nothing to share yet, because nothing has moved. Release a slide first");
+    }
+    share(sandbox_->watches() ? watched_text(sandbox_->opening()) : sandbox_->recorded_so_far());
+}
+
+void App::perform(const ChallengeFriend&) {
+    share(recording_of(sandbox_->scenario()));
+}
+
+void App::share(Outcome<std::string> recording) {
+    if (sharing_.progress()) return tell("A slide is being shared already. Share the next one after it");
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // the page plays the slide anew
     memory.use.page = true;
     const Scenario& scenario = sandbox_->scenario();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
         return warn(fmt::format("This slide cannot be shared: {}", fits.error()));
-    auto text = sandbox_->watches() ? watched_text(sandbox_->opening()) : sandbox_->recorded_so_far();
-    const auto begun = std::move(text).and_then([&](std::string&& recorded) {
+    const auto begun = std::move(recording).and_then([&](std::string&& recorded) {
         return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera()});
     });
     open_.results.set_may_share(false);
@@ -401,6 +410,7 @@ void App::tell_results() {
     constexpr double kMegabyte = 1e6;
     tell(fmt::format("Shared: a page of {:.1f} MB for any browser, and its recording, in {}",
                      static_cast<double>((*shared)->page.bytes) / kMegabyte, (*shared)->folder.string()));
+    for (const std::string& notice : (*shared)->page.notices) warn(notice);
     if (display_.shows_shared) show_folder((*shared)->folder);
 }
 

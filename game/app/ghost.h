@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,10 +8,10 @@
 #include <vector>
 
 #include "game/analysis/best_runs.h"
+#include "game/analysis/played_run.h"
 #include "game/base/job.h"
 #include "game/scene/memory.h"
 #include "game/scene/scenario.h"
-#include "game/session/run_extent.h"
 
 namespace game {
 
@@ -38,28 +37,12 @@ class Ghost {
     std::optional<std::string> fault();
 
   private:
-    struct Found {
-        std::optional<RunExtent> extent;
-        std::vector<std::string> faults;
-    };
-    static Found find(const std::vector<BestRun>& runs, const std::string& challenge, const Memory& memory,
-                      const std::atomic<bool>& stopped);
-
     std::filesystem::path followed_;  // file of the best run; empty: there is none
-    Job<Found> job_;
-    Found found_;
+    Job<PlayedRuns> job_;
+    PlayedRuns found_;
     std::int64_t step_ = -1;  // of what inside_ has
     std::vector<std::uint8_t> inside_, next_;
     std::int64_t version_ = 0;
 };
-
-// The score and the extent of a recorded run, found by playing it. Errors: the file cannot be read, it is of another
-// challenge than the one with this identity, a rule of the challenge is broken, or it was stopped.
-struct PlayedRun {
-    Score score;
-    RunExtent extent;
-};
-Outcome<PlayedRun> play_run(const std::filesystem::path& file, const std::string& challenge,
-                            const Memory& memory, const std::atomic<bool>& stopped);
 
 }  // namespace game

@@ -28,6 +28,7 @@ Outcome<int> share(const ShareOptions& options) {
         *opened, options.out,
         {.most_bytes = options.most_bytes, .camera = scenario.camera, .plays = !options.watch_only});
     if (!written) return tl::unexpected(written.error());
+    for (const std::string& notice : written->notices) print_line(stderr, "couloir: {}", notice);
     print_line(stdout, "{}: {:.1f} MB; {}", options.out.string(), static_cast<double>(written->bytes) / 1e6,
                options.watch_only ? "opens in any browser"
                                   : "opens in any browser, and whoever opens it can take over");

@@ -99,6 +99,7 @@ Outcome<int> site(const SiteOptions& options) {
             continue;
         }
         if (!report) return tl::unexpected(report.error());
+        for (const std::string& notice : report->notices) print_line(stderr, "couloir: {}", notice);
         page.bytes = report->bytes;
         if (page.words.empty()) page.words = report->about;
         bytes += report->bytes;

@@ -94,6 +94,8 @@ struct GuideWish {
 struct SaveWorld {};
 // Makes a challenge of what was done in this world.
 struct MakeChallenge {};
+// Shares the challenge, untouched, with the best run at it to beat.
+struct ChallengeFriend {};
 // Begins the challenge of the recording that was opened, from its start and untouched.
 struct TryChallenge {};
 
@@ -103,8 +105,9 @@ struct CoverGround {
 };
 
 // A Tool is chosen.
-using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
-                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, CoverGround>;
+using Action =
+    std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
+                 GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

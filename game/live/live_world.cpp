@@ -288,6 +288,8 @@ Json LiveWorld::status() const {
     const auto& goal = sandbox_.scenario().goal;
     if (!goal) return status;
     const GoalUse use = sandbox_.goal_use();
+    const auto begun = goal->events.empty() ? sandbox_.first_action() : std::optional<std::int64_t>(0);
+    status["try_ticks"] = begun ? state().tick - *begun : -1;  // as the window's ghost counts them
     status["left"] = Json::array();
     for (const Goal::Tool& tool : goal->tools)
         if (const auto left = use.left(tool))

@@ -21,13 +21,16 @@ class RunExtent {
     // Call after every tick from 0 on.
     void see(const sim::State& state);
 
+    // Of each vertex, row 0 the south: the first step in which the flow was there, or kNever.
+    using Step = std::uint16_t;
+    static constexpr Step kNever = std::numeric_limits<Step>::max();
+    const std::vector<Step>& reached() const { return reached_; }
+
     // Fills `inside`, one value per vertex, row 0 the south: 255 where the flow was within so many ticks after `from`, else
     // 0.
     void at(std::int64_t ticks, std::vector<std::uint8_t>& inside) const;
 
   private:
-    using Step = std::uint16_t;
-    static constexpr Step kNever = std::numeric_limits<Step>::max();
     std::int64_t from_;
     std::vector<Step> reached_;  // of each vertex: the first step in which the flow was there
 };

@@ -8,6 +8,7 @@
 
 #include "game/analysis/best_runs.h"
 #include "game/analysis/headless.h"
+#include "game/analysis/played_run.h"
 #include "game/files/assets.h"
 #include "game/recording/command_source.h"
 #include "game/recording/recording_file.h"
@@ -15,6 +16,37 @@
 #include "game/session/session.h"
 
 namespace game {
+
+namespace {
+
+// Of a challenge in which nothing was done yet: asks to beat the best run on this machine, which is played again, and left out
+// if its score is not what it claims. Errors: a page has no tool for it (status 2).
+Outcome<void> prepare_challenge(const Scenario& scenario, const Memory& memory, const std::atomic<bool>* stop,
+                                PageOptions& options, std::vector<std::string>& notices) {
+    const bool planting = std::ranges::any_of(
+        scenario.goal->tools, [](const Goal::Tool& tool) { return tool.kind == sim::CommandKind::kPlant; });
+    if (options.plays && planting)
+        return unusable(
+            fmt::format("--web: {} is won by planting, for which a page has no tool yet; --watch-only "
+                        "leaves the world out",
+                        scenario.scene));
+    const auto folder = best_runs_folder(scenario);
+    if (!folder) return {};
+    const std::atomic<bool> never = false;
+    PlayedRuns played =
+        play_best_run(best_runs(*folder), challenge_id(scenario), memory, stop ? *stop : never);
+    if (played.best) options.to_beat = std::make_shared<const PlayedRun>(std::move(*played.best));
+    for (const std::string& fault : played.faults)
+        notices.push_back(fmt::format("A best run is not in the page: {}", fault));
+    return {};
+}
+
+PageReport with(PageReport report, std::vector<std::string> notices) {
+    report.notices = std::move(notices);
+    return report;
+}
+
+}  // namespace
 
 std::string proof_of(const std::filesystem::path& recording) {
     const bool shipped = is_asset(AssetKind::kRecording, recording.string());
@@ -31,13 +63,17 @@ std::string proof_of(const std::filesystem::path& recording) {
 }
 
 Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
-                                  const PageOptions& options, const std::atomic<bool>* stop,
+                                  PageOptions options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress) {
     auto read = read_recording(recording);
     if (!read) return tl::unexpected(read.error());
     if (auto taken = take_look(LookFrom::kShipped, read->header.scenario); !taken)
         return tl::unexpected(taken.error());
     const Scenario& scenario = read->header.scenario;
+    std::vector<std::string> notices;
+    if (scenario.goal && is_world(*read))
+        if (auto prepared = prepare_challenge(scenario, {}, stop, options, notices); !prepared)
+            return tl::unexpected(prepared.error());
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_powder(scenario);
@@ -54,24 +90,19 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
             return tl::unexpected(advanced.error());
         if (auto seen = slide->see(*session); !seen) return tl::unexpected(seen.error());
     }
-    return slide->write(page, *session, read->commands);
+    return slide->write(page, *session, read->commands).map([&](PageReport report) {
+        return with(report, notices);
+    });
 }
 
 Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
                                          PageOptions options) {
     if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
     const Scenario& scenario = world.scene.scenario;
-    if (scenario.goal) {
-        if (options.plays && std::ranges::any_of(scenario.goal->tools, [](const Goal::Tool& tool) {
-                return tool.kind == sim::CommandKind::kPlant;
-            }))
-            return unusable(
-                fmt::format("--web: {} is won by planting, for which a page has no tool yet; --watch-only "
-                            "leaves the world out",
-                            scenario.scene));
-        if (const auto folder = best_runs_folder(scenario))
-            if (const auto runs = best_runs(*folder); !runs.empty()) options.to_beat = runs.front().score;
-    }
+    std::vector<std::string> notices;
+    if (scenario.goal)
+        if (auto prepared = prepare_challenge(scenario, world.memory, nullptr, options, notices); !prepared)
+            return tl::unexpected(prepared.error());
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_powder(scenario);
@@ -87,7 +118,9 @@ Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::fi
         if (const auto ended = play_headless(*session, commands, until, watchers, scenario.scene); !ended)
             return tl::unexpected(ended.error());
     }
-    return slide->write(page, *session, commands);
+    return slide->write(page, *session, commands).map([&](PageReport report) {
+        return with(report, notices);
+    });
 }
 
 }  // namespace game

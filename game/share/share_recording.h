@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <memory>
 
 #include "game/base/outcome.h"
 #include "game/session/loaded_world.h"
@@ -9,10 +10,10 @@
 
 namespace game {
 
-// Plays a recording and writes the page of it. Errors: as read_recording() and SlidePage. With `stop` set it ends with a
+// Plays a recording and writes the page of it. That of an untouched challenge asks to beat the best run on this machine. Errors: as read_recording() and SlidePage. With `stop` set it ends with a
 // failure and nothing is written. `progress` becomes the share that is done, 0 to 1. Both may be null.
 Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
-                                  const PageOptions& options, const std::atomic<bool>* stop,
+                                  PageOptions options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress);
 
 // Writes the page of what was opened: of a recording, its slide; of a scene that does something by itself, its slide until it

@@ -524,7 +524,10 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
               {"surroundings", !scenery->surroundings().empty()}};
     if (scenario.goal) {
         json["goal"] = {{"say", with_signs(scenario.goal->say)}};
-        if (options.to_beat) json["goal"]["to_beat"] = *options.to_beat;
+        if (options.to_beat) {
+            json["goal"]["to_beat"] = options.to_beat->score.points;
+            json["goal"]["ghost_step"] = RunExtent::kStep;
+        }
     }
     if (scenario.lower) json["lower_material"] = scenario.lower->material;
     if (options.site_name) json["site"] = {{"index", "index.html"}, {"name", *options.site_name}};
@@ -616,6 +619,12 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     };
     add_peak("peak_depth", session.peaks().depth, kDepthQuantum);
     add_peak("peak_speed", session.peaks().speed_plan, kSpeedQuantum);
+    if (p.options.to_beat) {  // steps from 1 on; 0: never
+        std::vector<double> steps;
+        for (const RunExtent::Step step : p.options.to_beat->extent.reached())
+            steps.push_back(step == RunExtent::kNever ? 0 : step + 1);
+        p.stream.add("ghost", steps, {1, 2, kPlane}, p.scenario.grid.nx);
+    }
     p.scenery->pack_ends(p.stream, p.at_first(), p.frames);
     p.puffs.pack(p.stream);
     const std::string fields = to_base64(p.stream.finish());
@@ -641,7 +650,7 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
             fmt::format("--web: the page has {}, and {} are allowed. Use a larger --every or --size-limit",
                         size_text(page.size()), size_text(p.options.most_bytes)));
     if (auto written = write_text(file, page); !written) return tl::unexpected(written.error());
-    return PageReport{page.size(), p.frames, info["about"]};
+    return PageReport{page.size(), p.frames, {}, info["about"]};
 }
 
 }  // namespace game

@@ -6,7 +6,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "game/analysis/played_run.h"
 #include "game/base/outcome.h"
 #include "game/scene/scenario.h"
 #include "game/session/session.h"
@@ -20,8 +22,7 @@ struct PageOptions {
     std::uint64_t most_bytes = 32'000'000;     // of the page
     std::optional<render::Camera> camera = std::nullopt;  // none: the scenario's, or else a landscape view
     bool plays = true;  // the page has the world itself, so that whoever opens it can take over
-    std::optional<std::int64_t> to_beat =
-        std::nullopt;  // of a challenge: the score that the page asks to beat
+    std::shared_ptr<const PlayedRun> to_beat = nullptr;  // of a challenge: the run that the page asks to beat
     std::optional<std::string> site_name =
         std::nullopt;  // of a page in a site: its name there; it leads back to the index
 };
@@ -29,7 +30,8 @@ struct PageOptions {
 struct PageReport {
     std::uint64_t bytes = 0;
     std::int64_t frames = 0;
-    std::string about = {};  // "loose dry snow, 146 s, run-out 1 283 m, up to 46.2 m/s"
+    std::vector<std::string> notices = {};  // what is not in the page, a sentence each
+    std::string about = {};                 // "loose dry snow, 146 s, run-out 1 283 m, up to 46.2 m/s"
 };
 
 // Writes a slide as one web page that plays it in a browser, with its numbers and its state hash, and lets a person take it

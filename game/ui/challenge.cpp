@@ -192,6 +192,10 @@ void what_next(Desk& desk, const ResultCard& card, const Facts& facts, Actions& 
     }
     if (next && offers(harder ? "Harder" : "Next", next->title.c_str(), true))
         actions.emplace_back(Open{next->name, {}});
+    if (card.medal.value_or(0) > 0 && !facts.may_try &&
+        offers("Challenge a friend",
+               "A page of this challenge for any browser, which asks to beat your best run.", false))
+        actions.emplace_back(ChallengeFriend{});
     if (card.map && offers("From the front", "Plays it again, seen from where it came to rest.", false))
         actions.emplace_back(SeeFromFront{});
     if (offers("Look around", "Closes this card; the mountain stays as it is.", false, true))

@@ -1792,6 +1792,21 @@ TEST_F(Sending, shares_page_and_recording_and_opens_their_folder) {
     expect_recording_replays();
 }
 
+TEST_F(Sending, shares_a_challenge_in_which_nothing_was_done_as_one_to_play) {
+    begin("one-shovel", 40);
+    tap(function_key(10));
+    EXPECT_TRUE(app_->is_sharing());
+    wait_until_told("Shared: ");
+    ASSERT_EQ(shared().size(), 1u);
+    const auto world = read_recording(shared()[0] / "slide.couloir");
+    ASSERT_TRUE(world) << world.error().sentence;
+    EXPECT_TRUE(is_world(*world));
+    EXPECT_EQ(challenge_id(world->header.scenario), challenge_id(app_->sandbox().scenario()));
+    std::ifstream page(shared()[0] / "slide.html");
+    const std::string text(std::istreambuf_iterator<char>(page), {});
+    EXPECT_NE(text.find("Make it run as far as you can"), std::string::npos);
+}
+
 TEST_F(Sending, says_why_there_is_nothing_to_share) {
     begin("winter-valley", 40);
     tap(function_key(10));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "game/analysis/played_run.h"
 #include "game/analysis/score.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/goal.h"
@@ -13,6 +14,7 @@
 #include "game/session/sandbox.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
+#include "tests/game/unpacked_page.h"
 #include "tests/support/places.h"
 #include "tests/support/slope_scene.h"
 
@@ -371,8 +373,30 @@ TEST_F(Challenge, that_a_friend_has_played_is_kept_among_the_best_runs_with_its_
     const Finished shared = couloir({"share", scene_path_.string(), "--out", page.string()},
                                     {.environment = {{"XDG_DATA_HOME", data}}});
     EXPECT_EQ(shared.status, 0) << shared.err;
-    EXPECT_NE(read_bytes(page).find("\"to_beat\":" + std::to_string(score_.points)), std::string::npos)
-        << "a page asks to beat it";
+    // A page asks to beat it, and has where it was when.
+    const UnpackedPage unpacked(read_bytes(page));
+    EXPECT_EQ(unpacked.info()["goal"]["to_beat"], score_.points);
+    EXPECT_EQ(unpacked.info()["goal"]["ghost_step"], RunExtent::kStep);
+    const PlayedRun played =
+        play_run(kept_ones().front(), challenge_id(kept.header.scenario), {}, std::atomic<bool>(false))
+            .value();
+    const std::vector<double> ghost = unpacked.array("ghost");
+    ASSERT_EQ(ghost.size(), played.extent.reached().size());
+    for (std::size_t i = 0; i < ghost.size(); ++i) {
+        const RunExtent::Step step = played.extent.reached()[i];
+        ASSERT_EQ(ghost[i], step == RunExtent::kNever ? 0 : step + 1) << i;
+    }
+    EXPECT_GT(std::ranges::count_if(ghost, [](double step) { return step > 0; }), 10);
+
+    // One whose name claims more is left out, with a sentence.
+    const std::filesystem::path claims =
+        kept_ones().front().parent_path() / "99999_gold_2026-11-29_12-00-00_0123456789abcdef.couloir";
+    write_bytes(claims, read_bytes(kept_ones().front()));
+    const Finished doubted = couloir({"share", scene_path_.string(), "--out", page.string()},
+                                     {.environment = {{"XDG_DATA_HOME", data}}});
+    EXPECT_EQ(doubted.status, 0);
+    EXPECT_NE(doubted.err.find("its name claims a score of 99999"), std::string::npos) << doubted.err;
+    EXPECT_EQ(UnpackedPage(read_bytes(page)).info()["goal"]["to_beat"], score_.points);
 
     // Another score than its commands give.
     Recording recording = read_recording(path_).value();

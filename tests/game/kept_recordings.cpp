@@ -1,9 +1,13 @@
 // tests/recordings has a recording for each feature of the format. None is ever made again, because users' recordings
 // must keep playing.
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "game/recording/recorder.h"
 #include "game/recording/recording_file.h"
 #include "tests/game/program.h"
 #include "tests/game/recording_files.h"
@@ -70,6 +74,27 @@ TEST_P(KeptRecording, normalised_is_of_the_newest_format_and_exact) {
         EXPECT_EQ(made.commands[i].command, recording_.commands[i].command);
     }
     EXPECT_EQ(made.end, kept_.last_tick);
+}
+
+// With its states, however rarely they come: the fork says so in its header, else its reader takes them for lost.
+TEST_P(KeptRecording, forked_at_each_of_its_states_is_read) {
+    if (!is_comparable(recording_.header)) return;  // a fork of it has other states
+    for (const int rarely : {1, 7}) {
+        Recording parent = recording_;
+        std::erase_if(parent.states, [&](const StateLine& state) {
+            return state.tick % (rarely * recording_.header.ticks_per_state) != 0 &&
+                   state.tick != recording_.last_tick();
+        });
+        parent.header.ticks_per_state *= rarely;
+        for (const StateLine& state : parent.states) {
+            const auto fork = Recorder::fork(in_memory("fork"), parent, "parent", state.tick).value();
+            std::istringstream text(fork.copy_ended_at(state.tick, nullptr).value());
+            const auto read = read_recording(text, "fork");
+            ASSERT_TRUE(read) << read.error().sentence;
+            EXPECT_EQ(read->last_tick(), state.tick);
+            EXPECT_EQ(read->warning, std::nullopt);
+        }
+    }
 }
 
 constexpr Kept kKept[] = {

@@ -448,10 +448,12 @@ TEST_F(UiHand, goes_from_a_won_challenge_to_the_next_shipped_one) {
     settle();
     EXPECT_EQ(only<Open>(click("Next")).name_or_path, "bowl");
     EXPECT_EQ(only<Verb>(click("Try again")), Verb::kReset);
+    only<ChallengeFriend>(click("Challenge a friend"));
     for (const std::optional<int> medal : {std::optional(0), std::optional<int>()}) {
         card_->medal = medal;
         settle();
         EXPECT_FALSE(ui_->find("Next"));
+        EXPECT_FALSE(ui_->find("Challenge a friend")) << "there is nothing to beat";
         EXPECT_EQ(only<Verb>(click(medal ? "Try again" : "Again")), medal ? Verb::kReset : Verb::kUndo);
     }
     card_->medal = 3;
