@@ -80,7 +80,7 @@ class Picture {
                 shadows: add([...lit, 'triangle_height.glsl', 'structure_shadow.vert'], ['structure_shadow.frag']),
             });
         const trees = [...light, 'tree.glsl', 'tree_texture.glsl'];
-        if (info.arrays['trees.x'])
+        if (info.arrays['trees.pictures'])
             Object.assign(this.programs, {
                 treeShadow: add([...trees, 'tree_shadow.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_shadow.frag']),
                 tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_picture.frag']),
@@ -99,15 +99,16 @@ class Picture {
             });
     }
 
-    // The terrain's shaders with some marks: where there is no slide, where one is or was, and where a slab broke off.
+    // The terrain's shaders with some marks: where there is no slide, where one is or was, and where a slab broke off or ground
+    // was sculpted.
     shading(...marks) {
-        const key = marks.join();
+        const earth = this.slide.earth ? 'earth.glsl' : 'earth_none.glsl', key = [earth, ...marks].join();
         if (!this.shadings.has(key)) {
             const files = ['slots.glsl', 'frame.glsl', 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
-                           'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag', 'earth_none.glsl',
+                           'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag',
                            this.slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl'];
-            const kinds = [['slides_none.glsl', 'crown_none.glsl'], ['slides.glsl', 'crown_none.glsl'],
-                           ['slides.glsl', 'crown.glsl']];
+            const kinds = [['earth_none.glsl', 'slides_none.glsl', 'crown_none.glsl'],
+                           ['earth_none.glsl', 'slides.glsl', 'crown_none.glsl'], [earth, 'slides.glsl', 'crown.glsl']];
             const add = kind => this.shaders.add(['rectangles.vert'], [...files, ...kind, ...marks]);
             this.shadings.set(key, kinds.map(add));
         }
@@ -152,6 +153,7 @@ class Picture {
 
         frame.floats('flow').fill(0);
         if (programs.debris) this.makeDebris(kDebrisTiles / ((Math.max(nx, ny) - 1) * dx));
+        if (slide.earth) this.earthTexture();
         this.makeMesh();
         this.tiles = new SlideTiles(slide, this.firstDepth);
         this.scenery = new Scenery(gpu, slide, programs, slots, frame);
@@ -304,7 +306,10 @@ class Picture {
     sendFields(overlay) {
         const {gpu, slide, slots, fields} = this, {nx, ny} = slide.info.grid;
         if (this.sentVersion !== slide.version) {
-            if (slide.bedVersion > (this.sentVersion ?? 0)) gpu.upload(slots.SLOT_BEDROCK, fields.bed, nx, ny, slide.bed);
+            if (slide.bedVersion > (this.sentVersion ?? 0)) {
+                gpu.upload(slots.SLOT_BEDROCK, fields.bed, nx, ny, slide.bed);
+                if (slide.earth) gpu.upload(slots.SLOT_EARTH, this.earthTexture(), nx, ny, slide.earth);
+            }
             this.sentVersion = slide.version;
             this.sentOverlay = null;
             gpu.upload(slots.SLOT_DEPTH, fields.depth, nx, ny, slide.depth);
@@ -326,6 +331,12 @@ class Picture {
         if (overlay && overlay !== this.sentOverlay)
             gpu.upload(slots.SLOT_MEASURE, fields.measure, nx, ny, this.measure(overlay));
         this.sentOverlay = overlay;
+    }
+
+    // Made once there is any.
+    earthTexture() {
+        const {gl, gpu, slots, slide} = this, {nx, ny} = slide.info.grid;
+        return this.fields.earth ??= gpu.texture(slots.SLOT_EARTH, gl.R16F, nx, ny, gl.LINEAR, slide.earth);
     }
 
     // Two bytes per vertex.

@@ -132,6 +132,7 @@ class Slide {
 
         const {nx, ny} = info.grid;
         this.bed = this.array('bed');             // m above the datum
+        this.earth = this.array('earth');         // m that it was raised by, or null
         this.firstDepth = this.array('d0');       // m
         this.site = this.array('site');           // 1: no ground
         this.peakDepth = this.array('peak_depth');  // m
@@ -295,6 +296,8 @@ class Slide {
         this.flow = shown.flowVertices && {vertices: shown.flowVertices, indices: shown.flowIndices, version: this.version};
         if (shown.built) this.built = shown.built, this.builtVersion = this.version;
         if (shown.bed) this.bed.set(shown.bed), this.bedVersion = this.version;
+        if (shown.earth) this.earth = shown.earth;
+        if (shown.planted) this.planted = {trees: shown.planted, counts: shown.plantedCounts};
         this.findSurface();
     }
 

@@ -8,8 +8,9 @@ let over = false;    // its last words were said: an instance that has thrown is
 let proving = false;  // the recording is replayed while nobody asks for anything else
 const kProofTicks = 30;     // between two looks at what is asked
 const kTold = 100;          // ms between two words about the proof
+const kPlantedNumbers = 10;  // of a tree: LivePicture::Planted
 const kPuffNumbers = 12;    // of a puff: sim::powder::Puff
-const kFieldNames = ['bed', 'depth', 'rolling', 'velocity_x', 'velocity_y'];
+const kFieldNames = ['bed', 'depth', 'rolling', 'velocity_x', 'velocity_y', 'earth'];
 
 // What the module asks of its surroundings: a clock, and who reads its last words. It opens no file.
 function surroundings() {
@@ -116,12 +117,17 @@ function picture(spare = {}) {
         shown.flowVertices = new Float32Array(memory.buffer, module.flow_vertices(), floats).slice();
         shown.flowIndices = new Uint32Array(memory.buffer, module.flow_indices(), module.flow_count()).slice();
     }
+    if (module.plant()) {
+        shown.planted = new Float32Array(memory.buffer, module.planted_at(), kPlantedNumbers * module.planted()).slice();
+        shown.plantedCounts = new Uint32Array(memory.buffer, module.planted_counts(), module.planted_tiles()).slice();
+    }
     if (module.build(...sun)) shown.built = [0, 1, 2].map(which =>  // faces, ropes, shadows
         new Float32Array(memory.buffer, module.built_at(which), module.built(which)).slice());
     const bed = field('bed');
     if (!same(lastBed, bed)) {
         lastBed = bed;
         shown.bed = bed.slice();
+        if (module.field(kFieldNames.indexOf('earth')) !== 0) shown.earth = field('earth');
     }
     return shown;
 }

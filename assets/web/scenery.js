@@ -62,11 +62,19 @@ class Scenery {
     }
 
     makeTrees() {
-        const {gpu, gpu: {gl}, slots} = this;
+        const {slots} = this;
         this.trees = new TreesInView(this.slide, this.frame.sun, slots);
-        const rows = Math.ceil(this.trees.x.length / kTreesInARow);
-        this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
         this.treePictures = this.makeTreePictures();
+        this.makeTreeTexture();
+    }
+
+    // With a row for every kTreesInARow trees.
+    makeTreeTexture() {
+        const {gpu, gpu: {gl}, slots} = this, rows = Math.max(Math.ceil(this.trees.x.length / kTreesInARow), 1);
+        if (rows <= (this.treeRows ?? 0)) return;
+        gl.deleteTexture(this.treeTexture ?? null);
+        this.treeRows = rows;
+        this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
     }
 
     // The levels are below each other, lowest row first. A number has the three parts of a texel.
@@ -154,6 +162,12 @@ class Scenery {
     drawTrees(view, onScreen) {
         const {gpu, gpu: {gl}, slots, trees, shaders} = this;
         if (!trees) return;
+        if (this.planted !== this.slide.planted) {
+            this.planted = this.slide.planted;
+            trees.plant(this.planted);
+            this.makeTreeTexture();
+            this.treesKey = null;
+        }
         const key = [...view.clip, view.pixel].join();
         if (key !== this.treesKey) trees.find(view, onScreen);
         if (key !== this.treesKey || this.treesVersion !== this.slide.version) {

@@ -11,12 +11,13 @@ class SlideTiles {
         this.blocks = new Uint8Array(this.across * Math.ceil(ny / kSlideBlock));
     }
 
-    // Finds the blocks of vertices near slides (1), and of those near walls where a slab broke off (2).
+    // Finds the blocks of vertices near slides (1), and of those near walls where a slab broke off and near earth (2).
     findBlocks() {
-        const {nx, ny} = this.slide.info.grid, {depth, rolling} = this.slide;
+        const {nx, ny} = this.slide.info.grid, {depth, rolling, earth} = this.slide;
         this.blocks.fill(0);
         for (let y = 0, i = 0; y < ny; ++y)
             for (let x = 0; x < nx; ++x, ++i) {
+                if (earth && earth[i] !== 0) this.mark(x, y, kSlideReach, 2);
                 if (rolling[i] === 0 && depth[i] === this.firstDepth[i]) continue;
                 this.mark(x, y, kSlideReach, 1);
                 if (this.isUnderWall(x, y)) this.mark(x, y, kWallReach, 2);

@@ -8,6 +8,9 @@ const kCrushed = 0.65, kLaid = 1.5;  // width of a lying tree, of a standing one
 const kShallow = 0.15, kDeep = 0.6, kSlow = 1.5, kFast = 4.5;  // m and m/s: a flow bends a tree from the first on
 const kLies = 0.5;  // of being laid down, from which it is drawn so
 const kLean = 0.05, kMostLean = 0.22, kLeaning = 0.06;  // tangents of standing ones; share of those that lean most
+const kOfForest = 2, kPlanted = 3;  // of trees.on: by the forest of the world; by a hand on this page
+const kForestGone = 0, kForestLies = 2;  // as game/live/picture.h has it
+const kTreeColumns = ['x', 'y', 'z', 'height', 'on', 'snow', 'lower', 'closed', 'group', 'kind', 'sun', 'falls', 'keeps'];
 const kTreeNumbers = 20;  // numbers of a drawn tree: struct Tree of tree.glsl
 const kTreesInARow = 256;  // of their texture: tree_texture.glsl
 
@@ -34,23 +37,37 @@ class TreesInView {
         this.sunAt = sun;
         this.constants = constants;
         this.ground = new Ground(slide);
-        const get = name => slide.array('trees.' + name);
-        this.x = get('x'), this.y = get('y'), this.z = get('z');
-        this.height = get('height'), this.on = get('on');
-        this.snow = get('snow'), this.lower = get('lower'), this.closed = get('closed');
-        this.group = get('group'), this.kind = get('kind'), this.sun = get('sun');
-        this.falls = get('falls'), this.keeps = get('keeps');
-        this.findTiles(get('count'));
-        this.chance = new Float32Array(this.x ? this.x.length : 0).map((_, i) => ownNumber(i));
+        this.begun = Object.fromEntries(kTreeColumns.map(name => [name, slide.array('trees.' + name) ?? new Float32Array(0)]));
+        this.begun.chance = this.begun.x.map((_, i) => ownNumber(i));
+        this.counts = [...(slide.array('trees.count') ?? [])];
+        Object.assign(this, this.begun);
+        this.findTiles(this.counts);
         this.first = this.drawn = new Float32Array(0);  // numbers as they stood, and as they are
         this.withShadow = 0;
+    }
+
+    // Adds those that people have planted to those of tick 0, tile by tile: ten numbers each, as game/live/picture.h has them.
+    plant({trees, counts}) {
+        const added = trees.length / 10, column = k => Float32Array.from({length: added}, (_, i) => trees[10 * i + k]);
+        const [x, y, z, height, chance, snow, closed, kind, keeps, lies] = Array.from({length: 10}, (_, k) => column(k));
+        const all = value => new Float32Array(added).fill(value);
+        const planted = {x, y, z, height, chance, snow, closed, kind, keeps, group: all(1), sun: all(1), lower: all(0), falls: all(0),
+                         on: all(kPlanted)};
+        for (const [name, begun] of Object.entries(this.begun)) {
+            const joined = new Float32Array(begun.length + added);
+            joined.set(begun);
+            joined.set(planted[name], begun.length);
+            this[name] = begun.length === 0 && name === 'lower' ? begun : joined;
+        }
+        this.lying = lies;
+        this.findTiles([...this.counts, ...counts]);
     }
 
     // A tile's trees and the box around their feet and tops.
     findTiles(counts) {
         this.tiles = [];
         let first = 0;
-        for (const count of counts || []) {
+        for (const count of counts) {
             const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
             for (let i = first; i < first + count; ++i) {
                 const foot = [this.x[i], this.y[i], this.z[i]];
@@ -126,7 +143,7 @@ class TreesInView {
         this.standing.forEach(({i, height, half, tops, shadow}, number) => {
             const at = kTreeNumbers * number, tip = shadow > 0 ? this.tipOfShadow(i) : [0, 0, 0];
             this.first.set([this.x[i], this.y[i], this.z[i], height, ...this.upright(i), this.chance[i],
-                            this.sun[i], 0, this.lower ? this.lower[i] : 0, half, ...tip, shadow,
+                            this.sun[i], 0, this.lower[i] ?? 0, half, ...tip, shadow,
                             this.kind[i], tops, this.closed[i], this.keeps[i]], at);
             const vertex = Math.round(this.y[i] / dx) * nx + Math.round(this.x[i] / dx);
             if (this.on[i]) this.onGrid.push({i, at, vertex});
@@ -140,16 +157,23 @@ class TreesInView {
         this.drawn.set(this.first);
         for (const {i, at, vertex} of this.onGrid) {
             this.drawn[at + 2] -= Math.max(this.snow[i] - depth[vertex], 0);
-            if (this.lies(i, vertex, frame)) this.lay(i, this.drawn.subarray(at, at + kTreeNumbers));
+            if (this.isGone(i, vertex)) this.drawn.fill(0, at, at + kTreeNumbers);
+            else if (this.lies(i, vertex, frame)) this.lay(i, this.drawn.subarray(at, at + kTreeNumbers));
         }
         return Math.ceil(this.standing.length / kTreesInARow);
+    }
+
+    // Whether somebody has felled it.
+    isGone(i, vertex) {
+        return this.on[i] === kOfForest && this.slide.live?.stands?.[vertex] === kForestGone;
     }
 
     // In a world that goes on by what the flow has done at its stem, as render/woods/trees_in_view.cpp finds it.
     lies(i, vertex, frame) {
         const {live, peakDepth, peakSpeed} = this.slide;
         if (!live) return this.falls[i] <= frame;
-        if (live.stands) return live.stands[vertex] === 0;
+        if (this.on[i] === kPlanted) return this.lying[i - this.begun.x.length] === 1;
+        if (this.on[i] === kOfForest) return live.stands?.[vertex] === kForestLies;
         const strength = 0.7 + 0.6 * this.own(i, 19.1);
         return smoothstep(kShallow * strength, kDeep * strength, peakDepth[vertex]) *
             smoothstep(kSlow, kFast, peakSpeed[vertex]) >= kLies;

@@ -118,6 +118,7 @@ Outcome<LiveWorld> LiveWorld::open(const std::string& recording, std::string nam
 
 LiveWorld::LiveWorld(Sandbox sandbox, std::string name, std::optional<render::FlowLook> look)
     : sandbox_(std::move(sandbox)), name_(std::move(name)), look_(look) {
+    if (state().things) first_forest_ = state().things->forest;
     hand_.suit(sandbox_.scenario().grid);
     fit_hand();
 }
@@ -251,12 +252,11 @@ Json LiveWorld::facts() const {
     const Scenario& scenario = sandbox_.scenario();
     const RadiusRange radius = radius_range(scenario.grid);
     Json tools = Json::array();
-    // A page draws no planted forest.
     for (const ToolInfo& info : tool_infos()) {
         const auto allowed = [&](const Deed& deed) {
             return !scenario.goal || tool_of(*scenario.goal, deed.kind);
         };
-        if (!allowed(*info.plain) || info.tool == Tool::kPlant) continue;
+        if (!allowed(*info.plain)) continue;
         Json tool =
             json_of(info, scenario.goal ? tool_of(*scenario.goal, info.plain->kind) : nullptr, radius);
         for (const auto& [key, deed] : {std::pair("control", info.control), std::pair("shift", info.shift)})

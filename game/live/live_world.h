@@ -26,6 +26,8 @@ class LiveWorld {
 
     const Sandbox& sandbox() const { return sandbox_; }
     const sim::State& state() const { return sandbox_.session().state(); }
+    // The forest of tick 0, whose trees the page has; empty if there was none.
+    const sim::Field<sim::Stems>& first_forest() const { return first_forest_; }
 
     // Runs ticks with what the hand does. Returns how many were done: fewer than asked for at the end of what is watched.
     // A sentence if something was refused or went wrong; then the last tick may have been done without the hand.
@@ -72,6 +74,7 @@ class LiveWorld {
 
     Sandbox sandbox_;
     std::string name_;
+    sim::Field<sim::Stems> first_forest_;
     std::optional<render::FlowLook>
         look_;  // of the debris, until a person takes over: the proof needs no fronts
     Hand hand_;

@@ -29,6 +29,7 @@ std::optional<LiveWorld> world;
 LivePicture picture;
 const render::FlowMesh* flow_mesh = nullptr;                          // made last
 static_assert(sizeof(render::FlowMeshVertex) == 20 * sizeof(float));  // as Picture.drawFlow() has them
+static_assert(sizeof(LivePicture::Planted) == 10 * sizeof(float));    // as TreesInView.plant() has them
 
 int fails(std::string sentence) {
     told = std::move(sentence);
@@ -159,7 +160,7 @@ EXPORTED(mark) const char* mark() {
     return kLiveMark.data();
 }
 
-// Fields, the ground without buildings first: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
+// Fields, the ground without buildings first, and last the earth by which it was raised, which may be null: rows of `stride` floats from vertex (0, 0) on, row 0 the south. Memory may move at any call.
 EXPORTED(columns) int columns() {
     return state().grid.nx;
 }
@@ -171,16 +172,20 @@ EXPORTED(stride) int stride() {
 }
 EXPORTED(field) const float* field(int which) {
     const sim::State& s = state();
-    const sim::Field<float>* const fields[] = {which == 0 ? &picture.ground(*world) : &s.bedrock, &s.depth,
-                                               &s.rolling, &s.velocity_x, &s.velocity_y};
-    return fields[which]->row(0);
+    const sim::Field<float>* const fields[] = {which == 0 ? &picture.ground(*world) : &s.bedrock,
+                                               &s.depth,
+                                               &s.rolling,
+                                               &s.velocity_x,
+                                               &s.velocity_y,
+                                               s.things ? &s.things->earth : nullptr};
+    return fields[which] ? fields[which]->row(0) : nullptr;
 }
 // One value per vertex, without gaps: greatest depth and speed in plan.
 EXPORTED(peak) const float* peak(int which) {
     const Peaks& peaks = world->sandbox().session().peaks();
     return which == 0 ? peaks.depth.data() : peaks.speed_plan.data();
 }
-// Two bytes per vertex of a world with two materials; 1 where a stem stands, if the woods act; else null.
+// Two bytes per vertex of a world with two materials; what has become of the forest; or null.
 EXPORTED(mixture) const std::uint8_t* mixture() {
     return picture.mixture(*world).empty() ? nullptr : picture.mixture(*world).data();
 }
@@ -221,6 +226,22 @@ EXPORTED(flow_indices) const std::uint32_t* flow_indices() {
 }
 EXPORTED(flow_count) int flow_count() {
     return static_cast<int>(flow_mesh->indices().size());
+}
+// Trees that people have planted (LivePicture::plant()): 1 if they have changed since the last call; ten floats each.
+EXPORTED(plant) int plant() {
+    return picture.plant(*world) ? kDone : kNot;
+}
+EXPORTED(planted) int planted() {
+    return static_cast<int>(picture.planted().size());
+}
+EXPORTED(planted_at) const void* planted_at() {
+    return picture.planted().data();
+}
+EXPORTED(planted_tiles) int planted_tiles() {
+    return static_cast<int>(picture.planted_counts().size());
+}
+EXPORTED(planted_counts) const std::uint32_t* planted_counts() {
+    return picture.planted_counts().data();
 }
 // sim::powder::Puff, one after the other.
 EXPORTED(puffs) int puffs() {

@@ -11,6 +11,7 @@
 #include "render/buildings/structure_mesh.h"
 #include "render/flow/flow_mesh.h"
 #include "render/mountain/bare_ground.h"
+#include "render/woods/followed_woods.h"
 
 namespace game {
 
@@ -26,7 +27,19 @@ class LivePicture {
 
     // Two bytes per vertex of a world with two materials (render::drawn_mixture()); else none.
     const std::vector<std::uint8_t>& mixture(const LiveWorld& world);
-    // 1 where a stem stands, per vertex, if the woods act; else none.
+    // Finds the trees that people have planted beyond the forest of tick 0, if the things have changed since the last call;
+    // true then. Nothing hides the light from them, because a page has no ground for that.
+    bool plant(const LiveWorld& world);
+    struct Planted {
+        glm::vec3 foot;  // m
+        float height, chance, snow, closed, kind, keeps,
+            lies;  // as render::Tree; render::snow_kept(); 0 or 1
+    };
+    const std::vector<Planted>& planted() const { return planted_; }  // tile by tile
+    const std::vector<std::uint32_t>& planted_counts() const { return planted_counts_; }
+
+    // What has become of the forest at each vertex: 0 there is none, 1 a stem stands, 2 all lie. None if nothing was ever
+    // built or planted.
     const std::vector<std::uint8_t>& stands(const LiveWorld& world);
 
     // Depth of the standing layer at tick 0, m, and share of the lower material at its surface, per vertex; none in a model.
@@ -41,6 +54,11 @@ class LivePicture {
     render::BareGround bare_;
     render::FlowMesh flow_;
     std::vector<std::uint8_t> mixture_, stands_;
+    render::FollowedWoods followed_;
+    std::optional<sim::Things> beyond_;  // with the forest that was planted
+    std::int64_t things_changed_ = -1;
+    std::vector<Planted> planted_;
+    std::vector<std::uint32_t> planted_counts_;
     std::vector<glm::vec2> cover_;
     std::optional<render::Structures> built_;
     render::StructureMesh mesh_;

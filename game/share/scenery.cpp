@@ -8,6 +8,7 @@
 #include "render/mountain/spindrift.h"
 #include "render/mountain/sun_sweep.h"
 #include "render/mountain/surroundings_mesh.h"
+#include "render/woods/followed_woods.h"
 #include "render/woods/trees_in_view.h"
 
 namespace game {
@@ -31,32 +32,47 @@ void pack_column(PackedStream& into, const std::string& name, const std::vector<
 Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render::Structures& structures,
                  const render::FrameBlock& frame)
     : scenario_(scenario), frame_(frame) {
-    if (!scenario.model) {
-        around_ = mountains_around(scenario);
-        woods_ = woods_on(scenario, around_);
-    }
+    if (!scenario.model) around_ = mountains_around(scenario);
     if (!around_.empty()) frame_.beyond = glm::dvec4(around_.rough_origin(), around_.rough_cell(), 1);
     render::SunSweep sweep;
     sweep.run(first, &around_, frame_);
     ceilings_.assign(sweep.ceilings().begin(), sweep.ceilings().end());
     rays_ = sweep.rays();
-    fell_.assign(woods_.trees().size(), -1);
-    for (std::uint32_t i = 0; const render::Tree& tree : woods_.trees()) {
+    if (!scenario.model) find_trees(first);
+    fell_.assign(trees_.size(), -1);
+    for (std::uint32_t i = 0; const render::Tree& tree : trees_) {
         if (tree.vertex >= 0) standing_.push_back(i);
         ++i;
     }
     built_.push_back({0, structures});
 }
 
+// Woods and planted forest as the program shows them: none in buildings and on roads.
+void Scenery::find_trees(const sim::View& first) {
+    const render::Woods woods = woods_on(scenario_, around_);
+    render::FollowedWoods followed;
+    followed.follow(&woods, &around_, first, scenario_.depth, glm::vec3(frame_.sun), true);
+    const render::LitTrees shown = followed.trees();
+    for (const render::TreeTile& tile : shown.tiles) {
+        if (tile.count == 0) continue;
+        const auto trees = shown.trees.subspan(tile.first, tile.count);
+        const auto lights = shown.lights.subspan(tile.first, tile.count);
+        trees_.insert(trees_.end(), trees.begin(), trees.end());
+        tree_lights_.insert(tree_lights_.end(), lights.begin(), lights.end());
+        tiles_.push_back(tile.count);
+    }
+}
+
 void Scenery::see(const render::FlowSoFar& flow, std::span<const sim::Stems> forest,
                   const render::Structures& structures, std::int64_t frame) {
     constexpr float kLies = 0.5f;
     const auto stands = [&](const render::Tree& tree) {
-        if (!forest.empty()) return forest[static_cast<std::size_t>(tree.vertex)].standing > 0;
+        if (tree.fate == render::TreeFate::kStands)
+            return forest.empty() || forest[static_cast<std::size_t>(tree.vertex)].standing > 0;
         return render::lying(tree, flow) < kLies;
     };
     std::erase_if(standing_, [&](std::uint32_t i) {
-        if (stands(woods_.trees()[i])) return false;
+        if (stands(trees_[i])) return false;
         fell_[i] = frame;
         return true;
     });
@@ -68,7 +84,7 @@ void Scenery::pack(PackedStream& into) const {
     into.add("ceiling", ceilings, {0.1, 2, kPlane}, rays_);
     if (around_.empty()) return;
     pack_surroundings(into);
-    if (!woods_.empty()) pack_woods(into);
+    if (has_trees()) pack_woods(into);
     if (render::is_dry_snow(scenario_.look)) pack_ridges(into);
 }
 
@@ -110,13 +126,9 @@ void Scenery::pack_surroundings(PackedStream& into) const {
 }
 
 void Scenery::pack_woods(PackedStream& into) const {
-    std::vector<render::TreeLight> lights;
-    render::light_trees(woods_, around_, glm::vec3(frame_.sun), lights);
-    const std::vector<render::Tree> trees(woods_.trees().begin(), woods_.trees().end());
-    const std::vector<render::TreeTile> tiles(woods_.tiles().begin(), woods_.tiles().end());
     using render::Tree;
     const auto add = [&](const std::string& name, const Packing& packing, const auto& value) {
-        pack_column(into, "trees." + name, trees, packing, value);
+        pack_column(into, "trees." + name, trees_, packing, value);
     };
     add("x", {0.5, 2, kLast}, [](const Tree& t) { return t.foot.x; });
     add("y", {0.5, 2, kLast}, [](const Tree& t) { return t.foot.y; });
@@ -128,11 +140,12 @@ void Scenery::pack_woods(PackedStream& into) const {
     add("group", {1, 1, kNone}, [](const Tree& t) { return t.group; });
     add("kind", {1, 1, kNone}, [](const Tree& t) { return static_cast<double>(t.kind); });
     add("keeps", {1.0 / 15, 1, kLast}, [](const Tree& t) { return render::snow_kept(t); });
-    add("on", {1, 1, kNone}, [](const Tree& t) { return t.vertex >= 0 ? 1.0 : 0.0; });
-    pack_column(into, "trees.sun", lights, {1.0 / 31, 1, kLast},
+    add("on", {1, 1, kNone}, [](const Tree& t) {
+        return t.vertex < 0 ? 0. : t.fate == render::TreeFate::kOfFlow ? 1. : 2.;
+    });
+    pack_column(into, "trees.sun", tree_lights_, {1.0 / 31, 1, kLast},
                 [](const render::TreeLight& light) { return light.sunlit; });
-    pack_column(into, "trees.count", tiles, {1, 2, kNone},
-                [](const render::TreeTile& tile) { return tile.count; });
+    pack_column(into, "trees.count", tiles_, {1, 2, kNone}, [](std::uint32_t count) { return count; });
 }
 
 // Where wind blows snow off.
@@ -154,7 +167,7 @@ void Scenery::pack_ridges(PackedStream& into) const {
 }
 
 void Scenery::pack_ends(PackedStream& into, const sim::View& world, std::int64_t frames) const {
-    if (!woods_.empty())
+    if (has_trees())
         pack_column(into, "trees.falls", fell_, {1, 2, kNone},
                     [&](std::int64_t frame) { return static_cast<double>(frame < 0 ? frames : frame); });
     const auto has_any = [](const Built& built) { return !built.structures.empty(); };

@@ -10,6 +10,7 @@
 #include "render/mountain/surroundings.h"
 #include "render/view/flow_so_far.h"
 #include "render/view/frame_block.h"
+#include "render/woods/tree_light.h"
 #include "render/woods/woods.h"
 #include "sim/world/state.h"
 
@@ -25,16 +26,17 @@ class Scenery {
     const render::Surroundings& surroundings() const { return around_; }
     const render::FrameBlock& frame() const { return frame_; }  // that of these surroundings
     // Notes the trees that a flow has laid down by now, and what it has done to structures. `forest`: the stems at each
-    // vertex, if the woods act; else none. `frame`: number of the moment.
+    // vertex, if there are any at tick 0; else none. `frame`: number of the moment.
     void see(const render::FlowSoFar& flow, std::span<const sim::Stems> forest,
              const render::Structures& structures, std::int64_t frame);
 
-    bool has_trees() const { return !woods_.empty(); }
+    bool has_trees() const { return !trees_.empty(); }
     void pack(PackedStream& into) const;  // what is there at tick 0
     void pack_ends(PackedStream& into, const sim::View& world,
                    std::int64_t frames) const;  // what became of it
 
   private:
+    void find_trees(const sim::View& first);
     void pack_surroundings(PackedStream& into) const;
     void pack_woods(PackedStream& into) const;
     void pack_ridges(PackedStream& into) const;
@@ -42,7 +44,9 @@ class Scenery {
 
     const Scenario& scenario_;
     render::Surroundings around_;
-    render::Woods woods_;
+    std::vector<render::Tree> trees_;  // at tick 0, tile by tile
+    std::vector<render::TreeLight> tree_lights_;
+    std::vector<std::uint32_t> tiles_;  // trees of each
     render::FrameBlock frame_;
     std::vector<float> ceilings_;
     int rays_ = 0;

@@ -20,25 +20,17 @@ namespace game {
 namespace {
 
 // Of a challenge in which nothing was done yet: asks to beat the best run on this machine, which is played again, and left out
-// if its score is not what it claims. Errors: a page has no tool for it (status 2).
-Outcome<void> prepare_challenge(const Scenario& scenario, const Memory& memory, const std::atomic<bool>* stop,
-                                PageOptions& options, std::vector<std::string>& notices) {
-    const bool planting = std::ranges::any_of(
-        scenario.goal->tools, [](const Goal::Tool& tool) { return tool.kind == sim::CommandKind::kPlant; });
-    if (options.plays && planting)
-        return unusable(
-            fmt::format("--web: {} is won by planting, for which a page has no tool yet; --watch-only "
-                        "leaves the world out",
-                        scenario.scene));
+// if its score is not what it claims.
+void prepare_challenge(const Scenario& scenario, const Memory& memory, const std::atomic<bool>* stop,
+                       PageOptions& options, std::vector<std::string>& notices) {
     const auto folder = best_runs_folder(scenario);
-    if (!folder) return {};
+    if (!folder) return;
     const std::atomic<bool> never = false;
     PlayedRuns played =
         play_best_run(best_runs(*folder), challenge_id(scenario), memory, stop ? *stop : never);
     if (played.best) options.to_beat = std::make_shared<const PlayedRun>(std::move(*played.best));
     for (const std::string& fault : played.faults)
         notices.push_back(fmt::format("A best run is not in the page: {}", fault));
-    return {};
 }
 
 PageReport with(PageReport report, std::vector<std::string> notices) {
@@ -71,9 +63,7 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
         return tl::unexpected(taken.error());
     const Scenario& scenario = read->header.scenario;
     std::vector<std::string> notices;
-    if (scenario.goal && is_world(*read))
-        if (auto prepared = prepare_challenge(scenario, {}, stop, options, notices); !prepared)
-            return tl::unexpected(prepared.error());
+    if (scenario.goal && is_world(*read)) prepare_challenge(scenario, {}, stop, options, notices);
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_powder(scenario);
@@ -100,9 +90,7 @@ Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::fi
     if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
     const Scenario& scenario = world.scene.scenario;
     std::vector<std::string> notices;
-    if (scenario.goal)
-        if (auto prepared = prepare_challenge(scenario, world.memory, nullptr, options, notices); !prepared)
-            return tl::unexpected(prepared.error());
+    if (scenario.goal) prepare_challenge(scenario, world.memory, nullptr, options, notices);
     auto session = Session::begin(scenario, {}, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     session->follow_powder(scenario);

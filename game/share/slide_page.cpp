@@ -259,9 +259,9 @@ struct Moment {
     std::vector<float> peak_depth, peak_speed;
     std::vector<sim::powder::Puff> puffs;
     render::Structures structures;
-    std::vector<sim::Stems> forest;  // per vertex, if the woods act; else none
+    std::vector<sim::Stems> forest;  // per vertex, if there is any at tick 0; else none
 
-    Moment(const Session& session, bool woods_act)
+    Moment(const Session& session, bool has_forest)
         : tick(session.state().tick),
           volume(session.cubic_metres(session.state().ledger.rolling)),
           peak_depth(session.peaks().depth),
@@ -282,7 +282,7 @@ struct Moment {
             }
         }
         render::drawn_mixture(world, mixture);
-        if (!woods_act || !world.things) return;
+        if (!has_forest) return;
         for (int y = 0; y < world.grid.ny; ++y)
             forest.insert(forest.end(), world.things->forest.row(y), world.things->forest.row(y) + nx);
     }
@@ -296,18 +296,34 @@ struct Moment {
     }
 };
 
-// What a page cannot show of the things of a world; nothing if it shows all. Its ground never changes, and its trees
-// only fall.
-std::optional<std::string> beyond_pages(const Scenario& scenario, const sim::State& first,
-                                        const sim::State& now) {
+// Whether something is so of the things at any vertex.
+template <class Is>
+bool any_of(const sim::State& state, const Is& is) {
+    if (!state.things) return false;
+    for (int y = 0; y < state.grid.ny; ++y)
+        for (int x = 0; x < state.grid.nx; ++x)
+            if (is(*state.things, x, y)) return true;
+    return false;
+}
+
+std::vector<double> by_vertex(const sim::Field<float>& field) {
+    std::vector<double> values;
+    for (int y = 0; y < field.ny(); ++y) values.insert(values.end(), field.row(y), field.row(y) + field.nx());
+    return values;
+}
+
+// What a page cannot show of the things of a world; nothing if it shows all. Its ground is that of tick 0, and its trees only
+// fall.
+std::optional<std::string> beyond_pages(const sim::State& first, const sim::State& now) {
     if (!now.things) return std::nullopt;
     for (int y = 0; y < now.grid.ny; ++y)
         for (int x = 0; x < now.grid.nx; ++x) {
-            if (now.things->earth(x, y) != 0) return "sculpted ground";
+            if (now.things->earth(x, y) != (first.things ? first.things->earth(x, y) : 0))
+                return "ground that is sculpted during the slide";
             const sim::Stems stems = now.things->forest(x, y);
-            const sim::Stems begun =
-                scenario.woods_act() && first.things ? first.things->forest(x, y) : sim::Stems();
-            if (stems.standing + stems.lying > begun.standing + begun.lying) return "planted forest";
+            const sim::Stems begun = first.things ? first.things->forest(x, y) : sim::Stems();
+            if (stems.standing + stems.lying > begun.standing + begun.lying)
+                return "forest that is planted during the slide";
         }
     return std::nullopt;
 }
@@ -325,6 +341,7 @@ struct SlidePage::Parts {
     render::BareGround bare_ground;
     std::int64_t given = -1;           // tick of the last moment that was given
     std::int64_t things_changed = -1;  // as in the state of the last moment
+    const bool has_forest, has_earth;  // at tick 0
     std::optional<Scenery> scenery;
     PackedStream stream;
     PackedMotion depth, rolling, speed, lower_depth, lower_rolling;
@@ -340,6 +357,12 @@ struct SlidePage::Parts {
           proof(std::move(with_proof)),
           options(with),
           first(at_first),
+          has_forest(any_of(first,
+                            [](const sim::Things& things, int x, int y) {
+                                return things.forest(x, y).standing + things.forest(x, y).lying > 0;
+                            })),
+          has_earth(
+              any_of(first, [](const sim::Things& things, int x, int y) { return things.earth(x, y) != 0; })),
           depth("d", of.grid.nx, of.grid.ny, kDepthQuantum),
           rolling("R", of.grid.nx, of.grid.ny, kDepthQuantum),
           speed("s", of.grid.nx, of.grid.ny, kSpeedQuantum),
@@ -384,7 +407,7 @@ struct SlidePage::Parts {
     Outcome<void> check_things(const sim::State& now) {
         if (!now.things || now.things->changed == things_changed) return {};
         things_changed = now.things->changed;
-        if (const auto what = beyond_pages(scenario, first, now))
+        if (const auto what = beyond_pages(first, now))
             return unusable(fmt::format("--web: a page cannot show {} yet; --frames draws it", *what));
         return {};
     }
@@ -394,9 +417,8 @@ struct SlidePage::Parts {
     Outcome<void> give(const Session& session, const Pack& pack) {
         if (auto shown = check_things(session.state()); !shown) return shown;
         given = session.state().tick;
-        return packing.give([pack, moment = std::make_shared<const Moment>(session, scenario.woods_act())] {
-            return pack(*moment);
-        });
+        return packing.give(
+            [pack, moment = std::make_shared<const Moment>(session, has_forest)] { return pack(*moment); });
     }
     Outcome<void> pack_start(const Moment& moment);
     Outcome<void> add_frame(const Moment& moment);
@@ -412,7 +434,9 @@ Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
     scenery.emplace(scenario, at_first(), moment.structures, frame);
     frame = scenery->frame();
     ground_quantum =
-        stream.add("bed", to_doubles(scenario.bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
+        stream.add("bed", by_vertex(at_first().bedrock), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
+    if (has_earth)
+        stream.add("earth", by_vertex(first.things->earth), {kGroundQuantum, 2, kPlane}, scenario.grid.nx);
     std::vector<double> holes;
     for (const std::uint8_t known : scenario.has_data) holes.push_back(known ? 0 : 1);
     stream.add("site", holes, {1, 1, kNone});
@@ -424,7 +448,7 @@ Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
         stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
-    if (scenery->has_trees()) stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
+    if (scenery->has_trees() || (options.plays && !scenario.model)) stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
     stream.add("files", std::string_view(files.shaders.dump()));
     return {};
 }

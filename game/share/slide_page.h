@@ -41,7 +41,7 @@ struct PageReport {
 class SlidePage {
   public:
     // `session` at tick 0, following powder if the page is to have it. `proof`: the command that repeats the slide.
-    // Errors: a flow scene has no slide, and a page shows no sculpted ground and no planted forest (status 2); the page's
+    // Errors: a flow scene has no slide, (status 2); the page's
     // files are missing, or its module is of another version of the physics (status 3).
     static Outcome<SlidePage> begin(const Scenario& scenario, const Session& session, std::string proof,
                                     const PageOptions& options);
@@ -50,7 +50,7 @@ class SlidePage {
     SlidePage& operator=(SlidePage&&) noexcept;
 
     // Call after each tick. Keeps what is due. Errors (status 2): the page has become too large; a depth or a speed is
-    // beyond what it keeps; ground was sculpted or a forest planted.
+    // beyond what it keeps; ground is sculpted or a forest planted after tick 0.
     Outcome<void> see(const Session& session);
     // Writes the page; the last state is in it. `commands`: all of the slide. Errors: as see(), or the file cannot be
     // written (status 3).

@@ -156,6 +156,44 @@ TEST(LiveWorld, carries_the_texture_of_debris_from_where_it_was_taken_over) {
     EXPECT_GT(farthest(), 0.5f);
 }
 
+TEST(LiveWorld, shows_what_is_planted_and_felled) {
+    auto world = LiveWorld::open(recording_of("protection", 20), "slide").value();
+    LivePicture picture;
+    EXPECT_TRUE(picture.plant(world)) << "looked at for the first time";
+    EXPECT_TRUE(picture.planted().empty()) << "the page has the forest of tick 0";
+    const std::vector<std::uint8_t> before = picture.stands(world);
+    ASSERT_TRUE(world.take_over());
+    ASSERT_TRUE(world.set_brush({{"tool", "plant"}, {"radius", 20}}));
+    world.press({}, {300, 300});
+    ASSERT_EQ(world.advance(5).ticks, 5);
+    world.release();
+    ASSERT_EQ(world.advance(5).ticks, 5);
+    ASSERT_TRUE(picture.plant(world));
+    EXPECT_FALSE(picture.plant(world)) << "nothing has changed since";
+    constexpr double kArea = 3.14 * 20 * 20 / 1e4;  // ha
+    EXPECT_NEAR(static_cast<double>(picture.planted().size()), 400 * kArea, 200 * kArea);
+    std::size_t counted = 0;
+    for (const std::uint32_t count : picture.planted_counts()) counted += count;
+    EXPECT_EQ(counted, picture.planted().size());
+    for (const LivePicture::Planted& tree : picture.planted()) {
+        EXPECT_LT(std::hypot(tree.foot.x - 300, tree.foot.y - 300), 20 + 2 * world.state().grid.dx);
+        EXPECT_EQ(tree.lies, 0);
+    }
+    ASSERT_TRUE(world.undo());
+    ASSERT_TRUE(picture.plant(world));
+    EXPECT_TRUE(picture.planted().empty());
+
+    world.press({.control = true}, {128, 270});  // in its western forest
+    ASSERT_EQ(world.advance(5).ticks, 5);
+    world.release();
+    ASSERT_EQ(world.advance(5).ticks, 5);
+    ASSERT_TRUE(picture.plant(world));
+    EXPECT_TRUE(picture.planted().empty());
+    const std::vector<std::uint8_t>& after = picture.stands(world);
+    EXPECT_LT(std::ranges::count(after, 1), std::ranges::count(before, 1));
+    EXPECT_EQ(std::ranges::count(after, 2), 0) << "felled, not broken";
+}
+
 TEST(LiveWorld, records_random_sessions_that_a_replay_proves) {
     int acted = 0;
     for (const char* scene : {"landslide", "winter-avalanche", "snow-on-soil", "protection"}) {
@@ -169,6 +207,7 @@ TEST(LiveWorld, records_random_sessions_that_a_replay_proves) {
             for (int i = 0; i < 8; ++i) {
                 do_something(dice, world);
                 check_flow(picture, world);
+                picture.plant(world);
             }
             ASSERT_TRUE(world.seek(world.sandbox().known_until(), 100000).value());
             const Recording mine = read(world.recorded().value());

@@ -126,26 +126,60 @@ void expect_kept(const UnpackedPage& page, const std::vector<Fields>& ticks) {
     EXPECT_LE(page.info()["error"]["speed"], 0.064);
 }
 
-TEST_F(SlidePages, are_refused_where_ground_is_sculpted_or_forest_planted) {
-    sim::Command sculpt, plant;
+sim::Command sculpting() {
+    sim::Command sculpt;
     sculpt.kind = sim::CommandKind::kSculpt;
     sculpt.x = sculpt.y = 100, sculpt.radius = 20, sculpt.rise = 2;
+    return sculpt;
+}
+sim::Command planting() {
+    sim::Command plant;
     plant.kind = sim::CommandKind::kPlant;
     plant.x = plant.y = 100, plant.radius = 20;
     plant.stems = 400, plant.diameter = 0.3, plant.height = 22;
+    return plant;
+}
+
+TEST_F(SlidePages, are_refused_where_ground_is_sculpted_or_forest_planted_during_the_slide) {
     for (const auto& [command, what] :
-         {std::pair(sculpt, "sculpted ground"), std::pair(plant, "planted forest")})
-        for (const bool at_start : {false, true}) {
-            Scene scene = scene_of("landslide");
-            if (at_start)
-                scene.scenario.standing.placed = {command};
-            else
-                scene.commands = {{12, command}};
-            const auto refused = write(scene, 30);
-            ASSERT_FALSE(refused) << what;
-            EXPECT_EQ(refused.error().status, Failure::kUnusable);
-            EXPECT_NE(refused.error().sentence.find(what), std::string::npos) << refused.error().sentence;
+         {std::pair(sculpting(), "sculpted during"), std::pair(planting(), "planted during")}) {
+        Scene scene = scene_of("landslide");
+        scene.commands = {{12, command}};
+        const auto refused = write(scene, 30);
+        ASSERT_FALSE(refused) << what;
+        EXPECT_EQ(refused.error().status, Failure::kUnusable);
+        EXPECT_NE(refused.error().sentence.find(what), std::string::npos) << refused.error().sentence;
+    }
+}
+
+TEST_F(SlidePages, have_the_ground_and_the_forest_that_people_have_made_before) {
+    Scene scene = scene_of("landslide");
+    scene.scenario.standing.placed = {sculpting(), planting()};
+    ASSERT_TRUE(write(scene, 30));
+    const auto session = Session::begin(scene.scenario, {}, std::nullopt).value();
+    const sim::Things& things = *session.state().things;
+    const UnpackedPage page = this->page();
+    const std::vector<double> bed = page.array("bed"), earth = page.array("earth"),
+                              on = page.array("trees.on"), east = page.array("trees.x"),
+                              north = page.array("trees.y");
+    const double near = page.info()["error"]["ground"].get<double>() + 1e-9;
+    double raised = 0;
+    for (int y = 0, i = 0; y < session.state().grid.ny; ++y)
+        for (int x = 0; x < session.state().grid.nx; ++x, ++i) {
+            ASSERT_NEAR(earth[i], things.earth(x, y), near);
+            ASSERT_NEAR(bed[i], session.state().bedrock(x, y), near);
+            raised += earth[i];
         }
+    EXPECT_GT(raised, 1);
+    ASSERT_GT(on.size(), 10u);
+    for (std::size_t i = 0; i < on.size(); ++i) {
+        EXPECT_EQ(on[i], 2) << "by the forest";
+        EXPECT_LT(std::hypot(east[i] - 100, north[i] - 100),
+                  20 + static_cast<double>(session.state().grid.dx));
+    }
+    scene.scenario.standing.placed.clear();
+    ASSERT_TRUE(write(scene, 30));
+    EXPECT_FALSE(this->page().has("earth.0"));
 }
 
 TEST_F(SlidePages, keep_every_state_within_the_error_that_they_name) {

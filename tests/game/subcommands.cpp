@@ -270,9 +270,7 @@ std::vector<Subcommand> subcommands_refused_by_content(const fs::path& folder) {
     const std::string house =
         "house = { x = 20, y = 20, turn = 0, length = 5, width = 5, height = 5, "
         "strength = 5 }\n";
-    const fs::path sculpted = scene("sculpted.toml",
-                                    "[[dam]]\npoints = [[20, 32], [40, 34]]\nradius = 7\nrise = 3\n"),
-                   beside = scene("beside.toml",
+    const fs::path beside = scene("beside.toml",
                                   "[[command]]\nat = 0.5\nhouse = { x = 500, y = 500, turn = 0, "
                                   "length = 5, width = 5, height = 5, strength = 5 }\n"),
                    built = scene("built.toml", "[[command]]\nat = 0.1\n" + house);
@@ -281,10 +279,6 @@ std::vector<Subcommand> subcommands_refused_by_content(const fs::path& folder) {
     record(recording, loaded.scenario, 18, loaded.commands);
     const std::vector<std::string> outputs{"--record", "--save-world", "--summary", "--perf", "--trace"};
     return {
-        {.name = "a page of sculpted ground",
-         .arguments = {"run", sculpted, "--seconds", "0.1"},
-         .outputs = outputs,
-         .needed = {"--web"}},
         {.name = "a page of a flow",
          .arguments = {"run", "flow-disc", "--seconds", "0.1"},
          .outputs = outputs,
