@@ -38,12 +38,14 @@ Outcome<SitePage> page_of(const LoadedWorld& world, const std::string& given, co
         page.shelf = SitePage::Shelf::kSlides;
     }
     const auto entry = std::ranges::find(shipped.scenes, given, &Catalogue::Entry::name);
-    if (entry == shipped.scenes.end()) return page;
-    page.harder_than = entry->harder_than;
-    fs::path picture = entry->file;
-    picture.replace_extension(".jpg");
-    std::error_code error;
-    if (fs::exists(picture, error)) page.picture = std::move(picture);
+    if (entry != shipped.scenes.end()) page.harder_than = entry->harder_than;
+    for (const char* kind : {".jpg", ".png"}) {
+        fs::path picture = world.scene.files.front();
+        picture.replace_extension(kind);
+        std::error_code error;
+        if (page.picture || !fs::is_regular_file(picture, error)) continue;
+        page.picture = std::move(picture);
+    }
     return page;
 }
 
@@ -52,9 +54,8 @@ Outcome<SitePage> page_of(const LoadedWorld& world, const std::string& given, co
 Outcome<int> site(const SiteOptions& options) {
     const auto shipped = read_catalogue();
     if (!shipped) return tl::unexpected(shipped.error());
-    const bool all = options.worlds.empty();
     std::vector<std::string> names = options.worlds;
-    if (all)
+    if (names.empty())
         for (const Catalogue::Entry& scene : shipped->scenes)
             if (scene.kind != Catalogue::Kind::kFlowDemo) names.push_back(scene.name);  // those have no slide
     Overrides overrides;
@@ -84,7 +85,6 @@ Outcome<int> site(const SiteOptions& options) {
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     if (auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
 
-    std::vector<SitePage> made;
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < worlds.size(); ++i) {
         SitePage& page = pages[i];
@@ -92,22 +92,15 @@ Outcome<int> site(const SiteOptions& options) {
         const auto report =
             write_page_of_loaded(worlds[i], options.folder / (page.name + ".html"),
                                  {.camera = worlds[i].scene.scenario.camera, .site_name = page.name});
-        if (!report && all &&
-            report.error().status ==
-                Failure::kUnusable) {  // what pages cannot show yet stays out of what is shipped
-            print_line(stderr, "couloir: {} is left out: {}", page.name, report.error().sentence);
-            continue;
-        }
         if (!report) return tl::unexpected(report.error());
         for (const std::string& notice : report->notices) print_line(stderr, "couloir: {}", notice);
         page.bytes = report->bytes;
         if (page.words.empty()) page.words = report->about;
         bytes += report->bytes;
-        made.push_back(std::move(page));
     }
-    if (auto done = write_site(options.folder, made); !done) return tl::unexpected(done.error());
+    if (auto done = write_site(options.folder, pages); !done) return tl::unexpected(done.error());
     print_line(stdout, "{}: {} pages, {:.0f} MB; any web server may serve this folder",
-               (options.folder / "index.html").string(), made.size(), static_cast<double>(bytes) / 1e6);
+               (options.folder / "index.html").string(), pages.size(), static_cast<double>(bytes) / 1e6);
     return 0;
 }
 

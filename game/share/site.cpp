@@ -29,8 +29,7 @@ struct ShelfWords {
     const char *heading, *words;
 };
 constexpr std::array kShelves{
-    ShelfWords{SitePage::Shelf::kChallenges, "Challenges",
-               "A task, a few tools, and three medals. Each has a harder sister."},
+    ShelfWords{SitePage::Shelf::kChallenges, "Challenges", "A task, a few tools, and three medals."},
     ShelfWords{SitePage::Shelf::kSlides, "Slides",
                "Watch one from every side, and take it over whenever you like."},
     ShelfWords{SitePage::Shelf::kMountains, "Mountains", "Untouched. Nothing happens until you begin."}};
@@ -46,11 +45,16 @@ std::string link(const SitePage& page, const std::string& words, bool after) {
         after ? fmt::format(R"(<span data-best="{}" data-after="yes"></span>)", page.name) : std::string());
 }
 
+// Its name in the site.
+std::string picture_of(const SitePage& page) {
+    return page.name + page.picture->extension().string();
+}
+
 std::string card(const SitePage& page, std::span<const SitePage> all) {
     std::string html = page.picture ? fmt::format(R"(<li>
-<img src="{}.jpg" alt="" width="576" height="324" loading="lazy">
+<img src="{}" alt="" width="576" height="324" loading="lazy">
 )",
-                                                  page.name)
+                                                  picture_of(page))
                                     : "<li>\n<div class=\"blank\"></div>\n";
     html += fmt::format("<div class=\"words\">\n<h3>{}</h3>\n<p>{}</p>\n",
                         link(page, text_of(page.title), false), with_signs(text_of(page.words)));
@@ -123,7 +127,7 @@ bool names_a_site_page(const std::string& name) {
 }
 
 std::vector<std::string> site_names() {
-    std::vector<std::string> names{kIndex, kServiceWorker, kManifest, "*.jpg"};
+    std::vector<std::string> names{kIndex, kServiceWorker, kManifest, "*.jpg", "*.png"};
     names.insert(names.end(), kAsTheyAre.begin(), kAsTheyAre.end());
     return names;
 }
@@ -149,7 +153,7 @@ Outcome<void> write_site(const fs::path& folder, std::span<const SitePage> pages
         if (!text) return tl::unexpected(text.error());
         digests[name] = digest_of(*text);
         if (page.picture && !stands_below(page, pages))
-            if (auto copied = copy(*page.picture, page.name + ".jpg"); !copied) return copied;
+            if (auto copied = copy(*page.picture, picture_of(page)); !copied) return copied;
     }
     if (auto written = write(kManifest, manifest()); !written) return written;
 

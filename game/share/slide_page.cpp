@@ -233,6 +233,13 @@ Json overlays_json() {
             of("peak_speed", "Greatest speed", "peak_speed", render::Overlay::kSpeed)};
 }
 
+// Whether trees may come to stand in a page that has none.
+bool may_plant(const Scenario& scenario, const PageOptions& options) {
+    const auto plants = [](const Goal::Tool& tool) { return tool.kind == sim::CommandKind::kPlant; };
+    return options.plays && !scenario.model &&
+           (!scenario.goal || std::ranges::any_of(scenario.goal->tools, plants));
+}
+
 // A slide in a line: material, time, how far, how fast. Of a world in which nothing happened, its material.
 std::string about(const Scenario& scenario, const Measures& measures, double seconds) {
     std::string words = asset_title(AssetKind::kMaterial, scenario.material);
@@ -448,7 +455,8 @@ Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
         stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
-    if (scenery->has_trees() || (options.plays && !scenario.model)) stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
+    if (scenery->has_trees() || may_plant(scenario, options))
+        stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
     stream.add("files", std::string_view(files.shaders.dump()));
     return {};
 }

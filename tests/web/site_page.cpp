@@ -206,13 +206,19 @@ TEST_F(SiteInBrowser, is_laid_out_at_four_sizes_and_from_a_file) {
 TEST(Site, has_titles_as_text_and_only_names_that_are_files) {
     const support::TemporaryFolder folder;
     write_bytes(folder.path() / "a.html", "a");
-    const SitePage page{
-        .name = "a", .title = "<script>alert(1)</script>", .words = "3 m3 & \"more\"", .bytes = 1};
+    write_bytes(folder.path() / "of another name.png", "picture");
+    const SitePage page{.name = "a",
+                        .title = "<script>alert(1)</script>",
+                        .words = "3 m3 & \"more\"",
+                        .picture = folder.path() / "of another name.png",
+                        .bytes = 1};
     ASSERT_TRUE(write_site(folder.path(), std::vector{page}));
+    EXPECT_EQ(read_bytes(folder.path() / "a.png"), "picture");
     const std::string index = read_bytes(folder.path() / "index.html");
     EXPECT_EQ(index.find("<script>alert"), std::string::npos);
     EXPECT_NE(index.find("&lt;script&gt;alert(1)"), std::string::npos);
     EXPECT_NE(index.find("3 m³ &amp; "), std::string::npos);
+    EXPECT_NE(index.find("<img src=\"a.png\""), std::string::npos);
     for (const char* name : {"", "index", "a b", "../a", "a.b", "ä", "a\"b"})
         EXPECT_FALSE(names_a_site_page(name)) << name;
     EXPECT_TRUE(names_a_site_page("one-shovel_2"));
