@@ -62,7 +62,8 @@ Outcome<Recorder> Recorder::fork(const RecordingStore::Open& open, const Recordi
     Header header;
     header.scenario = of.header.scenario;
     header.parent = Parent{name, tick};
-    header.ticks_per_state = std::max(header.ticks_per_state, of.header.ticks_per_state);  // its states come as rarely
+    header.ticks_per_state =
+        std::max(header.ticks_per_state, of.header.ticks_per_state);  // its states come as rarely
     auto recorder = create(open, header);
     if (!recorder) return recorder;
     auto state = of.states.begin();

@@ -80,7 +80,7 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
             return tl::unexpected(advanced.error());
         if (auto seen = slide->see(*session); !seen) return tl::unexpected(seen.error());
     }
-    return slide->write(page, *session, read->commands).map([&](PageReport report) {
+    return slide->write(page, *session, read->commands).map([&](const PageReport& report) {
         return with(report, notices);
     });
 }
@@ -106,7 +106,7 @@ Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::fi
         if (const auto ended = play_headless(*session, commands, until, watchers, scenario.scene); !ended)
             return tl::unexpected(ended.error());
     }
-    return slide->write(page, *session, commands).map([&](PageReport report) {
+    return slide->write(page, *session, commands).map([&](const PageReport& report) {
         return with(report, notices);
     });
 }
