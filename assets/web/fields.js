@@ -297,7 +297,10 @@ class Slide {
         if (shown.built) this.built = shown.built, this.builtVersion = this.version;
         if (shown.bed) this.bed.set(shown.bed), this.bedVersion = this.version;
         if (shown.earth) this.earth = shown.earth;
-        if (shown.planted) this.planted = {trees: shown.planted, counts: shown.plantedCounts};
+        if (shown.planted) {
+            this.planted = {trees: shown.planted, counts: shown.plantedCounts};
+            this.stands = shown.stands;
+        }
         this.findSurface();
     }
 

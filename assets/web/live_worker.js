@@ -109,8 +109,7 @@ function picture(spare = {}) {
     const puffs = new Float32Array(memory.buffer, module.puffs_at(), kPuffNumbers * module.puffs()).slice();
     const shown = {depth, rolling, speed, along_y, puffs, peakDepth: peak(0), peakSpeed: peak(1)};
     const bytes = (at, count) => at === 0 ? null : new Uint8Array(memory.buffer, at, count).slice();
-    const stands = bytes(module.stands(), depth.length), mixture = bytes(module.mixture(), 2 * depth.length);
-    if (stands) shown.stands = stands;
+    const mixture = bytes(module.mixture(), 2 * depth.length);
     if (mixture) shown.mixture = mixture;
     const floats = module.flow();
     if (floats >= 0) {
@@ -120,6 +119,8 @@ function picture(spare = {}) {
     if (module.plant()) {
         shown.planted = new Float32Array(memory.buffer, module.planted_at(), kPlantedNumbers * module.planted()).slice();
         shown.plantedCounts = new Uint32Array(memory.buffer, module.planted_counts(), module.planted_tiles()).slice();
+        const stands = bytes(module.stands(), depth.length);
+        if (stands) shown.stands = stands;
     }
     if (module.build(...sun)) shown.built = [0, 1, 2].map(which =>  // faces, ropes, shadows
         new Float32Array(memory.buffer, module.built_at(which), module.built(which)).slice());

@@ -11,6 +11,7 @@ const kLean = 0.05, kMostLean = 0.22, kLeaning = 0.06;  // tangents of standing 
 const kOfForest = 2, kPlanted = 3;  // of trees.on: by the forest of the world; by a hand on this page
 const kForestGone = 0, kForestLies = 2;  // as game/live/picture.h has it
 const kTreeColumns = ['x', 'y', 'z', 'height', 'on', 'snow', 'lower', 'closed', 'group', 'kind', 'sun', 'falls', 'keeps'];
+const kPlantedColumns = ['x', 'y', 'z', 'height', 'chance', 'snow', 'closed', 'kind', 'keeps', 'lies'];
 const kTreeNumbers = 20;  // numbers of a drawn tree: struct Tree of tree.glsl
 const kTreesInARow = 256;  // of their texture: tree_texture.glsl
 
@@ -46,20 +47,19 @@ class TreesInView {
         this.withShadow = 0;
     }
 
-    // Adds those that people have planted to those of tick 0, tile by tile: ten numbers each, as game/live/picture.h has them.
+    // Adds those that people have planted to those of tick 0, tile by tile: numbers of each, as game/live/picture.h has them.
     plant({trees, counts}) {
-        const added = trees.length / 10, column = k => Float32Array.from({length: added}, (_, i) => trees[10 * i + k]);
-        const [x, y, z, height, chance, snow, closed, kind, keeps, lies] = Array.from({length: 10}, (_, k) => column(k));
-        const all = value => new Float32Array(added).fill(value);
-        const planted = {x, y, z, height, chance, snow, closed, kind, keeps, group: all(1), sun: all(1), lower: all(0), falls: all(0),
-                         on: all(kPlanted)};
+        const width = kPlantedColumns.length, added = trees.length / width;
+        const column = k => Float32Array.from({length: added}, (_, i) => trees[width * i + k]);
+        const planted = Object.fromEntries(kPlantedColumns.map((name, k) => [name, column(k)]));
+        const same = {group: 1, sun: 1, on: kPlanted};  // in all of them; the rest is 0
         for (const [name, begun] of Object.entries(this.begun)) {
-            const joined = new Float32Array(begun.length + added);
-            joined.set(begun);
-            joined.set(planted[name], begun.length);
-            this[name] = begun.length === 0 && name === 'lower' ? begun : joined;
+            if (begun.length < this.begun.x.length) continue;  // the page has no such column
+            this[name] = new Float32Array(begun.length + added).fill(same[name] ?? 0);
+            this[name].set(begun);
+            this[name].set(planted[name] ?? [], begun.length);
         }
-        this.lying = lies;
+        this.lying = planted.lies;
         this.findTiles([...this.counts, ...counts]);
     }
 
@@ -165,7 +165,7 @@ class TreesInView {
 
     // Whether somebody has felled it.
     isGone(i, vertex) {
-        return this.on[i] === kOfForest && this.slide.live?.stands?.[vertex] === kForestGone;
+        return this.on[i] === kOfForest && this.slide.stands?.[vertex] === kForestGone;
     }
 
     // In a world that goes on by what the flow has done at its stem, as render/woods/trees_in_view.cpp finds it.
@@ -173,7 +173,7 @@ class TreesInView {
         const {live, peakDepth, peakSpeed} = this.slide;
         if (!live) return this.falls[i] <= frame;
         if (this.on[i] === kPlanted) return this.lying[i - this.begun.x.length] === 1;
-        if (this.on[i] === kOfForest) return live.stands?.[vertex] === kForestLies;
+        if (this.on[i] === kOfForest) return this.slide.stands?.[vertex] === kForestLies;
         const strength = 0.7 + 0.6 * this.own(i, 19.1);
         return smoothstep(kShallow * strength, kDeep * strength, peakDepth[vertex]) *
             smoothstep(kSlow, kFast, peakSpeed[vertex]) >= kLies;

@@ -90,8 +90,7 @@ Outcome<int> site(const SiteOptions& options) {
         SitePage& page = pages[i];
         print_line(stderr, "couloir: {} of {}: {}", i + 1, worlds.size(), one_line(page.title));
         const auto report =
-            write_page_of_loaded(worlds[i], options.folder / (page.name + ".html"),
-                                 {.camera = worlds[i].scene.scenario.camera, .site_name = page.name});
+            write_page_of_loaded(worlds[i], options.folder / (page.name + ".html"), {.site_name = page.name});
         if (!report) return tl::unexpected(report.error());
         for (const std::string& notice : report->notices) print_line(stderr, "couloir: {}", notice);
         page.bytes = report->bytes;

@@ -61,9 +61,8 @@ bool LivePicture::plant(const LiveWorld& world) {
             stems.lying = static_cast<std::uint16_t>(lying);
             stems.standing = static_cast<std::uint16_t>(more - lying);
         }
-    const sim::View view{now.grid,       now.bedrock, now.depth,        now.rolling, now.velocity_x,
-                         now.velocity_y, now.site,    now.smooth_depth, now.mixture, &*beyond_,
-                         now.tiles,      now.datum,   now.tick};
+    sim::View view = now;
+    view.things = &*beyond_;
     followed_.follow(nullptr, nullptr, view, world.sandbox().scenario().depth, glm::vec3(0, 0, 1), false);
     planted_.clear();
     planted_counts_.clear();
@@ -83,11 +82,7 @@ bool LivePicture::build(const LiveWorld& world, glm::vec3 sun) {
     if (built_ == session.structures()) return false;
     built_ = session.structures();
     const Scenario& scenario = world.sandbox().scenario();
-    sim::View on = session.view();
-    const sim::Field<float>& bare = ground(world);
-    const sim::View view{on.grid,       bare,     on.depth,        on.rolling, on.velocity_x,
-                         on.velocity_y, on.site,  on.smooth_depth, on.mixture, on.things,
-                         on.tiles,      on.datum, on.tick};
+    const sim::View view = sim::on_bedrock(session.view(), ground(world));
     const render::BuildingGround on_ground{view, scenario.depth, cover_, render::snowy(scenario.look)};
     mesh_ = render::structure_mesh(*built_, on_ground, sun);
     faces_.clear();

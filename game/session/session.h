@@ -50,9 +50,10 @@ class Session {
     static Outcome<Session> begin(const Scenario& scenario, const sim::StepOptions& options,
                                   std::optional<Recorder> recorder);
 
-    // Starts front tracking and texture advection for a viewer, at any tick: at a moment before it textures lie still. With the flow demo of `scenario`, or with the
-    // rolling layer if its look has an advected texture. Does nothing above `most_vertices`; the caller then
-    // reports kTooFine. OpenGL does not guarantee that more than kMostFollowed can be drawn.
+    // Starts front tracking and texture advection for a viewer: with the flow demo of `scenario`, or with the
+    // rolling layer if its look has an advected texture. At any tick; textures have never moved at a moment from
+    // before it. Does nothing above `most_vertices`; the caller then reports kTooFine. OpenGL does not guarantee
+    // that more than kMostFollowed can be drawn.
     void follow_fronts(const Scenario& scenario, std::size_t most_vertices = kMostFollowed);
     static constexpr const char* kTooFine =
         "Textures do not move with the flow: the grid has over 900,000 vertices. Use a smaller --grid";

@@ -382,13 +382,7 @@ struct SlidePage::Parts {
     sim::View at_first() {
         const sim::View w = sim::view(first);
         const sim::Field<float>* ground = bare_ground.find(w);
-        return {w.grid,       ground ? *ground : w.bedrock,
-                w.depth,      w.rolling,
-                w.velocity_x, w.velocity_y,
-                w.site,       w.smooth_depth,
-                w.mixture,    w.things,
-                w.tiles,      w.datum,
-                w.tick};
+        return ground ? sim::on_bedrock(w, *ground) : w;
     }
 
     std::vector<PackedMotion*> moving() {

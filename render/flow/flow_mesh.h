@@ -36,14 +36,17 @@ class FlowMesh {
     }  // three to a triangle, counter-clockwise
 
   private:
-    void add(const sim::front::FlowView& flow, const sim::front::CutTriangle& triangle);
-    std::uint32_t place_of(const sim::front::FlowView& flow, const sim::front::CutVertex& vertex);
+    struct Moment {
+        const sim::front::FlowView& flow;
+        const sim::View& world;
+        std::span<const float> first_depth;
+    };
+    std::uint32_t place_of(const sim::front::CutVertex& vertex, const Moment& moment);
+    static float rise(int vertex, const Moment& moment);  // of the standing layer, m
 
     FlowChanges changes_;
     FlowTriangles triangles_;
-    std::vector<float> deposit_;       // of each vertex of the mesh, m
-    std::vector<std::uint8_t> seen_;   // whether the flow shows there
-    std::vector<std::int32_t> place_;  // among vertices_; −1: not yet
+    std::vector<std::int32_t> place_;  // of each vertex of the mesh among vertices_; −1: not yet
     std::vector<FlowMeshVertex> vertices_;
     std::vector<std::uint32_t> indices_;
 };

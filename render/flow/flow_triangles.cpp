@@ -8,10 +8,7 @@ namespace render {
 namespace {
 
 constexpr float kLeastDeposit = 0.001f;  // m, above which flow.vert shows a deposit
-// flow.vert reads the change of the standing layer in steps of a 127th of MOST_CHANGE, rounded, and shows it from one
-// step on: from 1.97 mm. m.
-constexpr float kLeastRise = 0.0018f;
-constexpr int kLongestGap = 64;  // triangles
+constexpr int kLongestGap = 64;          // triangles
 
 }  // namespace
 

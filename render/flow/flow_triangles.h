@@ -17,6 +17,9 @@ namespace render {
 // Later calls on one grid allocate nothing.
 class FlowTriangles {
   public:
+    // flow.vert reads the change of the standing layer in steps of a 127th of MOST_CHANGE, rounded, and shows it from one
+    // step on: from 1.97 mm. m.
+    static constexpr float kLeastRise = 0.0018f;
     // Bits of a square.
     static constexpr std::uint8_t kLowerRight = 1, kUpperLeft = 2;
 
@@ -24,6 +27,8 @@ class FlowTriangles {
     void find(const sim::View& world, std::span<const float> first_depth,
               std::span<const FlowVertex> vertices, const Look& look);
 
+    // 1 or 0 of each vertex: whether the flow may be seen there. Unless the look has it everywhere.
+    std::span<const std::uint8_t> seen() const { return seen_; }
     // The triangles, ascending, with some others in short gaps.
     std::span<const TriangleRun> runs() const { return runs_; }
     // Which triangles of each square may show the flow, row by row: now and at the last call. Before the first call on a
@@ -41,7 +46,7 @@ class FlowTriangles {
     void find_runs();
 
     sim::Grid grid_;
-    std::vector<std::uint8_t> seen_;  // 1 or 0 of each vertex
+    std::vector<std::uint8_t> seen_;
     std::vector<std::uint8_t> shown_, shown_before_;
     std::vector<TriangleRun> runs_;
 };

@@ -199,6 +199,26 @@ TEST_F(LivePage, shows_exactly_what_the_world_has) {
     EXPECT_EQ(browser().messages(), std::vector<std::string>());
 }
 
+// In a world in which nothing was built before.
+TEST_F(LivePage, shows_the_ground_and_the_forest_as_they_were_once_that_is_undone) {
+    take_over(share_slide("landslide", 6).page, 0);
+    const auto has = [](const std::string& what) {
+        return browser().comes("(() => { const {slide} = couloir.live; return " + what + "; })()", 20);
+    };
+    for (const auto& [key, made] : {std::pair("4", "slide.earth?.some(rise => rise !== 0) ?? false"),
+                                    std::pair("7", "slide.planted?.trees.length > 0")}) {
+        SCOPED_TRACE(key);
+        browser().press(key);
+        const auto [x, y] = ground(0.4, 0.4);
+        browser().drag(x, y, x + 40, y + 10);
+        EXPECT_TRUE(has(made)) << text("told");
+        browser().value("document.getElementById('undo').click()");
+        EXPECT_TRUE(has("slide.tick === couloir.live.status.tick && couloir.live.status.undo === 0"));
+        EXPECT_TRUE(has("!(" + std::string(made) + ")"));
+    }
+    EXPECT_EQ(browser().messages(), std::vector<std::string>());
+}
+
 TEST_F(LivePage, acts_under_one_finger_and_turns_under_two) {
     take_over(avalanche().page, 60, 390, 780, true);
     const auto [x, y] = ground(0.4, 0.25);
