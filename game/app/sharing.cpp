@@ -14,9 +14,10 @@ namespace fs = std::filesystem;
 
 Outcome<void> Sharing::begin(std::string recording, std::string name, PageOptions options) {
     progress_ = 0;
-    return job_.begin(
-        [this, recording = std::move(recording), name = std::move(name),
-         options](const std::atomic<bool>& stopped) { return share(recording, name, options, stopped); });
+    return job_.begin([this, recording = std::move(recording), name = std::move(name),
+                       options = std::move(options)](const std::atomic<bool>& stopped) {
+        return share(recording, name, options, stopped);
+    });
 }
 
 std::optional<double> Sharing::progress() const {
