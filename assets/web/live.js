@@ -10,6 +10,16 @@ function runsModules() {
     return Boolean(globalThis.WebAssembly && globalThis.Worker && WebAssembly.validate(new Uint8Array(smallest)));
 }
 
+// What was won in this browser, by the names of worlds; nothing if that is no record.
+function bestRuns() {
+    try {
+        return JSON.parse(localStorage.getItem('couloir.best')) ?? {};
+    } catch (error) {
+        if (error instanceof SyntaxError) return {};
+        throw error;
+    }
+}
+
 // A number as its tool words it: printf with one %.Nf.
 const worded = (format, value) =>
     format.replace(/%\.(\d)f/, (_, digits) => number(value, Number(digits))).replaceAll('%%', '%');
@@ -87,18 +97,21 @@ class Live {
         }).finally(() => clearTimeout(waits));
     }
 
-    hear({id, failed, over, proof, ...answer}) {
+    hear({id, failed, over, remains, proof, ...answer}) {
         if (proof) return;  // how far it has come, for whoever listens
         const question = this.questions.get(id);
         this.questions.delete(id);
-        if (over) this.end(failed);
+        if (over) this.end(failed, remains);
         if (failed !== undefined) question.failed(new Error(over ? this.ended : failed));
         else question.done(answer);
     }
 
-    // The world is lost; the page goes on as a picture.
-    end(sentence) {
-        this.ended = `The world of this page has ended: ${sentence}. Load the page again to go on.`;
+    // The world is lost; the page goes on as a picture. `remains`: the recording of what was done.
+    end(sentence, remains = '') {
+        if (this.ended) return;
+        this.remains = remains;
+        this.ended = `The world of this page has ended: ${sentence}. ` +
+            (remains ? 'Save keeps what was done in it. ' : '') + 'Load the page again to go on.';
         for (const {failed} of this.questions.values()) failed(new Error(this.ended));
         this.questions.clear();
         this.worker?.terminate();
@@ -394,27 +407,30 @@ class Live {
         this.showPlaying();
     }
 
-    // In a site the index shows what was won in this browser.
+    // In a site the index shows what was won in this browser. Returns whether nothing was refused.
     keepBest({won, points, medal}) {
         const {name} = this.page.info.site ?? {}, rank = of => ['bronze', 'silver', 'gold'].indexOf(of);
-        if (!won || !name) return;
+        if (!won || !name) return true;
         try {
-            const best = JSON.parse(localStorage.getItem('couloir.best')) ?? {}, before = best[name];
-            if (before && (rank(before.medal) > rank(medal) || (before.medal === medal && before.points >= points))) return;
+            const best = bestRuns(), before = best[name];
+            if (before && (rank(before.medal) > rank(medal) || (before.medal === medal && before.points >= points))) return true;
             localStorage.setItem('couloir.best', JSON.stringify({...best, [name]: {points, medal}}));
-        } catch {  // a browser that keeps nothing, or what is no record
+        } catch {  // its storage is full, or closed to this page
+            return false;
         }
+        return true;
     }
 
     showCard(card) {
         this.shownCard = card.tick;
-        this.keepBest(card);
+        const kept = this.keepBest(card);
         part('verdict').textContent = card.verdict;
         part('points').textContent = `Score ${number(card.points)}. Bronze from ${this.facts.goal.medals.map(least => number(least)).join(', silver from ').replace(/, silver from ([^,]*)$/, ', gold from $1')}.`;
         part('reason').textContent = [card.needs.some(need => !need.met) && card.reason, card.advice].filter(Boolean).join(' ');
         const {to_beat} = this.page.info.goal ?? {};
         if (card.won && card.points > to_beat)
             part('points').textContent += ` You have beaten the ${number(to_beat)} points of before: save it, and send it back.`;
+        if (!kept) part('points').textContent += ' This browser keeps no medal, because its storage is full or closed: save the try.';
         part('learn').textContent = card.won ? this.facts.goal.learn : '';
         part('needs').replaceChildren();
         for (const need of card.needs) {
@@ -439,7 +455,7 @@ class Live {
     // ---- what is kept ----
 
     async recorded() {
-        const {text} = await this.ask('recorded');
+        const text = this.remains || (await this.ask('recorded')).text;
         return new File([text], `${this.page.info.live.name}-mine.couloir`, {type: 'application/octet-stream'});
     }
 

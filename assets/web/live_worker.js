@@ -4,7 +4,7 @@
 
 let module = null;   // the exported functions
 let memory = null;
-let over = false;    // its last words were said: an instance that has thrown is used up
+let over = false;    // its last words were said: of an instance that has thrown only what remains is read
 let proving = false;  // the recording is replayed while nobody asks for anything else
 const kProofTicks = 30;     // between two looks at what is asked
 const kTold = 100;          // ms between two words about the proof
@@ -54,16 +54,17 @@ function surroundings() {
 }
 
 async function load(bytes) {
-    const compiled = await WebAssembly.compile(bytes).catch(({message}) => {
-        throw new Error(`This slide can be watched only: the browser refuses the world in this page (${message})`);
-    });
+    const refused = what => ({message}) => {
+        throw new Error(`This slide can be watched only: the browser refuses ${what} (${message})`);
+    };
+    const compiled = await WebAssembly.compile(bytes).catch(refused('the world in this page'));
     const has = surroundings();
     const imports = {};
     for (const {module: from, name} of WebAssembly.Module.imports(compiled)) {
         const known = has[from]?.[name];
         (imports[from] ??= {})[name] = known ?? (() => { throw new Error(`${name} is not there`); });
     }
-    const instance = await WebAssembly.instantiate(compiled, imports);
+    const instance = await WebAssembly.instantiate(compiled, imports).catch(refused('memory for the world in this page'));
     module = instance.exports;
     memory = module.memory;
     module._initialize();
@@ -234,6 +235,15 @@ const questions = {
     },
 };
 
+// The recording of a world that has ended, up to its last whole line; nothing if nobody took it over.
+function remains() {
+    try {
+        return new TextDecoder().decode(new Uint8Array(memory.buffer, module.remains_at(), module.remains_size()));
+    } catch {  // it ended before it began
+        return '';
+    }
+}
+
 let turn = Promise.resolve();
 onmessage = ({data}) => {
     turn = turn.then(() => answer(data));
@@ -249,6 +259,6 @@ async function answer({id, kind, spare, ...question}) {
     } catch (error) {
         proving = false;
         over ||= error instanceof WebAssembly.RuntimeError;
-        postMessage({id, failed: error.message, over});
+        postMessage({id, failed: error.message, over, remains: over ? remains() : ''});
     }
 }

@@ -59,6 +59,11 @@ class LiveWorld {
 
     // The recording as if it ended here. Errors: nothing was done yet.
     Outcome<std::string> recorded() const { return sandbox_.recorded_so_far(); }
+    // The same up to its last whole line, without an end: for when no memory is left. Nothing if nobody took over.
+    std::string_view recorded_in_place() const {
+        const Recorder* const recorder = sandbox_.session().recorder();
+        return recorder ? recorder->text_in_place() : std::string_view();
+    }
     // What the try at the challenge came to; null until it ends.
     const Score* score() const { return score_ ? &*score_ : nullptr; }
 

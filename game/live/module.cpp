@@ -3,6 +3,7 @@
 // returns a negative number and leaves its sentence there. Without an open world nothing but open() may be called.
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "game/base/limits.h"
 #include "game/live/live_world.h"
+#include "game/live/page.h"
 #include "game/live/picture.h"
 #include "game/recording/live_mark.h"
 #include "sim/core/float_environment.h"
@@ -65,6 +67,10 @@ EXPORTED(out_size) std::size_t out_size() {
 
 // In: a name, a line break, and a recording. Out: what stays the same (LiveWorld::facts()), or what is wrong with it.
 EXPORTED(open) int open_recording() {
+    std::set_new_handler([] {
+        constexpr std::string_view kWords = "no memory is left";
+        page_ended(kWords.data(), kWords.size());
+    });
     if (const auto fault = sim::float_environment_fault())
         return fails("In this browser " + std::string(*fault) + ", so that it would compute another slide");
     const std::size_t end = given.find('\n');
@@ -136,6 +142,13 @@ EXPORTED(redo) int redo() {
 EXPORTED(recorded) int recorded() {
     auto text = world->recorded();
     return text ? says(std::move(*text)) : fails(text.error());
+}
+// What is left to save of a world that has ended: these two may be called then, and nothing else.
+EXPORTED(remains_at) const char* remains_at() {
+    return world ? world->recorded_in_place().data() : nullptr;
+}
+EXPORTED(remains_size) std::size_t remains_size() {
+    return world ? world->recorded_in_place().size() : 0;
 }
 
 // How the replay has compared with what is watched: 1 exact so far, 0 not proven. Out, if it differs: where.

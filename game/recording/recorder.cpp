@@ -24,6 +24,7 @@ class MemoryStore final : public RecordingStore {
     Outcome<std::string> read(std::int64_t bytes) const override {
         return bytes_.substr(0, static_cast<std::size_t>(bytes));
     }
+    std::string_view in_place() const override { return bytes_; }
     Outcome<void> end() override { return {}; }
     std::string name() const override { return name_; }
     Open again() const override { return in_memory(name_); }

@@ -28,6 +28,8 @@ class RecordingStore {
     virtual Outcome<void> cut(std::int64_t bytes) = 0;
     // The first so many bytes.
     virtual Outcome<std::string> read(std::int64_t bytes) const = 0;
+    // All of it where it is; nothing if it is not in memory.
+    virtual std::string_view in_place() const { return {}; }
     // The last line is written.
     virtual Outcome<void> end() = 0;
 
@@ -77,6 +79,10 @@ class Recorder {
 
     // The whole text so far. Errors: as copy_ended_at().
     Outcome<std::string> text() const { return store_->read(mark_.bytes); }
+    // The same without taking memory, of one that is kept in memory.
+    std::string_view text_in_place() const {
+        return store_->in_place().substr(0, static_cast<std::size_t>(mark_.bytes));
+    }
 
     // Tick of the last state written; −1 if there is none.
     std::int64_t last_state() const { return mark_.last_state; }

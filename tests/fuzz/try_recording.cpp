@@ -16,20 +16,6 @@ Outcome<Recording> read(const std::string& bytes) {
     return read_recording(stream, kName);
 }
 
-std::string chained_anew(std::string_view bytes) {
-    std::string text;
-    Chain chain;
-    while (!bytes.empty()) {
-        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-        std::string line(bytes.substr(0, end));
-        bytes.remove_prefix(std::min(end + 1, bytes.size()));
-        if (line.empty()) line.push_back('}');
-        chain.close(line);
-        text += line + "\n";
-    }
-    return text;
-}
-
 std::string written(const Recording& recording) {
     std::string text, line;
     Chain chain;
@@ -86,6 +72,21 @@ std::string_view fault_of(const std::string& bytes) {
 }
 
 }  // namespace
+
+std::string chained_anew(std::string_view bytes) {
+    std::string text;
+    Chain chain;
+    while (!bytes.empty()) {
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+        std::string line(bytes.substr(0, end));
+        bytes.remove_prefix(std::min(end + 1, bytes.size()));
+        if (const std::size_t old = line.rfind(",\"chain\":"); old != std::string::npos) line.resize(old + 1);
+        if (line.empty()) line.push_back('}');
+        chain.close(line);
+        text += line + "\n";
+    }
+    return text;
+}
 
 std::string_view fault_of_reading(std::string_view bytes) {
     const std::string_view fault = fault_of(std::string(bytes));

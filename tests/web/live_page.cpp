@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -335,6 +337,104 @@ TEST_F(LivePage, plays_back_with_a_sentence_where_its_world_is_damaged) {
         "The world in this page is damaged, so it can be watched only. Copy or download the file again.");
     browser().press("Home");
     EXPECT_EQ(browser().value("couloir.tick"), 0);
+    EXPECT_EQ(browser().messages(), std::vector<std::string>());
+}
+
+// Runs `words` in the worker before its own.
+class InWorker {
+  public:
+    InWorker(Chromium& browser, const std::string& words)
+        : browser_(browser),
+          script_(browser.call("Page.addScriptToEvaluateOnNewDocument",
+                               {{"source",
+                                 "globalThis.Blob = class extends Blob { constructor(parts, options) { "
+                                 "super(options?.type === 'text/javascript' ? [" +
+                                     Json(words).dump() + ", ...parts] : parts, options); } };"}})) {}
+    ~InWorker() { browser_.call("Page.removeScriptToEvaluateOnNewDocument", script_); }
+    InWorker(const InWorker&) = delete;
+    InWorker& operator=(const InWorker&) = delete;
+
+  private:
+    Chromium& browser_;
+    Json script_;
+};
+
+TEST_F(LivePage, plays_back_with_a_sentence_where_memory_for_its_world_is_refused) {
+    const InWorker refuses(browser(),
+                           "WebAssembly.instantiate = async () => { throw new RangeError('no memory'); };");
+    browser().size(640, 480);
+    ASSERT_EQ(browser().open(file_of(avalanche().page)), "ready");
+    browser().value("couloir.freeze(0.25)");
+    browser().press("t");
+    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    EXPECT_EQ(
+        text("told"),
+        "This slide can be watched only: the browser refuses memory for the world in this page (no memory)");
+    browser().press("End");
+    EXPECT_GT(browser().value("couloir.tick"), 0);
+    EXPECT_EQ(browser().messages(), std::vector<std::string>());
+}
+
+// The module may take less memory than its world comes to need.
+TEST_F(LivePage, keeps_what_was_done_when_no_memory_is_left) {
+    const InWorker bounds(browser(), R"(
+        const compile = WebAssembly.compile;
+        WebAssembly.compile = bytes => {
+            const text = bytes.slice(), number = at => {  // LEB128; returns the value and where it ends
+                let value = 0, shift = 0, byte;
+                do byte = text[at++], value |= (byte & 127) << shift, shift += 7; while (byte & 128);
+                return [value, at];
+            };
+            for (let at = 8; at < text.length;) {
+                const section = text[at], [size, begin] = number(at + 1);
+                if (section === 5) {  // one memory with bounds, in pages of 64 KiB
+                    let [, maximum] = number(begin + 2);
+                    const [, end] = number(maximum), pages = 340;
+                    for (let left = pages; maximum < end; left >>= 7) text[maximum] = left & 127 | (++maximum < end ? 128 : 0);
+                }
+                at = begin + size;
+            }
+            return compile(text);
+        };)");
+    take_over(avalanche().page, 150);
+    browser().press("2");
+    for (int i = 0; i < 60 && holds("!couloir.live.ended"); ++i) {
+        const auto [x, y] = ground(0.3 + 0.004 * i, 0.25);
+        browser().drag(x, y, x + 30, y + 10);
+        browser().comes("Boolean(couloir.live.ended) || couloir.live.status.undo > " + std::to_string(i), 20);
+    }
+    ASSERT_TRUE(browser().comes("Boolean(couloir.live.ended)", 60));
+    EXPECT_EQ(text("told"),
+              "The world of this page has ended: no memory is left. Save keeps what was done in it. Load the "
+              "page again to go on.");
+    EXPECT_NE(proven().find("exact: all"), std::string::npos);
+    browser().press("Home");  // it is a picture now
+    EXPECT_EQ(browser().messages(), std::vector<std::string>());
+}
+
+TEST_F(LivePage, waits_while_nobody_looks_and_outlives_a_frozen_tab) {
+    take_over(avalanche().page, 150);
+    const auto look = [](bool on) {
+        browser().value("Object.defineProperty(document, 'hidden', {configurable: true, value: " +
+                        std::string(on ? "false" : "true") +
+                        "}), document.dispatchEvent(new Event('visibilitychange'))");
+    };
+    const auto tick = [] { return browser().value("couloir.live.status.tick").get<int>(); };
+    ASSERT_TRUE(browser().comes("couloir.live.status.tick > 160", 20));
+    look(false);
+    ASSERT_TRUE(browser().comes("!couloir.live.running", 20));
+    const int left = tick();
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    EXPECT_EQ(tick(), left);
+    look(true);
+    EXPECT_TRUE(browser().comes("couloir.live.status.tick > " + std::to_string(left), 20)) << text("told");
+    EXPECT_LT(tick(), left + 100) << "what was slept through is not computed";
+
+    browser().call("Page.setWebLifecycleState", {{"state", "frozen"}});
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    browser().call("Page.setWebLifecycleState", {{"state", "active"}});
+    EXPECT_EQ(browser().value("couloir.live.ended"), Json());
+    EXPECT_NE(proven().find("exact: all"), std::string::npos);
     EXPECT_EQ(browser().messages(), std::vector<std::string>());
 }
 

@@ -181,6 +181,17 @@ TEST_F(SiteInBrowser, lets_a_challenge_be_won_as_the_program_scores_it_and_shows
     EXPECT_NE(proven.out.find("score " + std::to_string(score)), std::string::npos) << proven.out;
     EXPECT_NE(proven.out.find("exact: all"), std::string::npos) << proven.out;
 
+    // Once more, where nothing can be kept: the card says so.
+    browser().value(
+        "localStorage.setItem('couloir.best', '{'), Storage.prototype.kept = Storage.prototype.setItem, "
+        "Storage.prototype.setItem = () => { throw new DOMException('', 'QuotaExceededError'); }, "
+        "couloir.live.showCard(couloir.live.status.card)");
+    EXPECT_NE(text("points").find("This browser keeps no medal"), std::string::npos) << text("points");
+    browser().value(
+        "Storage.prototype.setItem = Storage.prototype.kept, "
+        "couloir.live.showCard(couloir.live.status.card)");
+    EXPECT_EQ(text("points").find("This browser keeps no medal"), std::string::npos) << text("points");
+
     ASSERT_EQ(browser().open(address()), "ready");
     EXPECT_EQ(
         browser().value("document.querySelector('.best[data-best=quarry]').textContent.replace(/\\D/g, '')"),
