@@ -11,6 +11,7 @@ program|ninja-build|Ninja|program ninja
 program|pkg-config|pkg-config|program pkg-config
 program|libgdal-dev|GDAL 3 headers|header gdal.h
 program|libproj-dev|PROJ headers|header proj.h
+program|libopenal-dev|OpenAL headers|header AL/alext.h
 program|libopenimageio-dev|OpenImageIO 2.4 headers|header OpenImageIO/imageio.h
 program|libgeographiclib-dev|GeographicLib headers|header GeographicLib/Geodesic.hpp
 program|libepoxy-dev|epoxy headers|header epoxy/gl.h

@@ -462,6 +462,10 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
                  "exit with status 1, report where, and with --frames write desync.png");
     add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
     add_web(app, options.web, options.view);
+    app.add_option(
+           "--audio", options.audio,
+           "write what is heard at the camera to this file: as long as the replay, two channels, 16 bits")
+        ->type_name("FILE.wav");
     add_look(app, options.look);
     app.add_flag_callback(
         "--no-render", [&options] { options.pictures.folder.reset(); },

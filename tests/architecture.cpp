@@ -40,6 +40,7 @@ constexpr Room kRooms[] = {
     {"game/ui", 8, "ui", "panels"},
     {"game/live", 10, "live", "a page that plays"},
     {"game/controls", 8, "controls", "input, brush, cameras"},
+    {"game/sound", 10, "sound", "what is heard, OpenAL"},
     {"game/session", 5, "session", "a running world, undo"},
     {"game/recording", 5, "recording", "recorder, reader"},
     {"game/scene", 5, "scene", "TOML to a scenario"},

@@ -64,6 +64,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     if (auto begun = app->begin_world(std::move(loaded), record, backdrop.get()); !begun)
         return tl::unexpected(begun.error());
     if (led) app->begin_tutorial(*led);
+    if (screen.has_sound()) app->sounds_.begin(screen.seconds());
     return app;
 }
 
@@ -103,6 +104,7 @@ bool App::frame() {
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
     lead();
+    play_sound(time.ticks);
     if (size.width > 0) {
         // The world after its ticks, then the panels, which describe the same tick.
         draw_world(time);
@@ -159,6 +161,7 @@ void App::lead() {
                        .runs_back = time_.clock().runs_back(),
                        .looks_back = sandbox_->looks_back()});
     if (!begun) return;
+    sounds_.note(sound::Wave::kHint);
     if (*begun == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
     if (const auto kept = tutorial_.keep(); !kept) warn(kept.error().sentence);
 }
@@ -316,6 +319,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
                 break;
             }
         }
+        sounds_.see(sandbox_->session(), sandbox_->last_commands());
         judge_attempt();
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
@@ -337,6 +341,7 @@ void App::judge_attempt() {
     const Score* const score = open_.results.judge_attempt(*sandbox_, best_list_.runs());
     if (!score) return;
     if (const auto claimed = sandbox_->claim(score->claim()); !claimed) file_.stop(claimed.error());
+    if (score->won()) sounds_.note(sound::Wave::kMedal);
     keep_run(*score);
 }
 
@@ -381,6 +386,17 @@ void App::judge_slides() {
                          name_of(screen_.layout(), Verb::kShare)));
     if (const auto swept = open_.results.judge_slide(*sandbox_, time_.pace().creeps()))
         tell(fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
+}
+
+// Of the world as it will be shown. In a pause and on the way to another time it is silent.
+void App::play_sound(int ticks) {
+    const Session& session = sandbox_->session();
+    sound::Ear ear = sound::ear_of(camera(), session.view());
+    ear.passes = ticks > 0 || !(time_.clock().paused() || time_.clock().runs_back() || time_.target());
+    ear.looks = input_.focused();
+    if (ticks > 0 && hand_.stroke() && hand_.stroke()->deed().acts == Acts::kAllTheTime)
+        ear.scrapes = lookout_.ground();
+    if (const auto lost = sounds_.play(session, ear, display_.volumes, screen_.seconds())) warn(*lost);
 }
 
 // Moves toward a known tick, as far as the time budget of the frame allows.
@@ -603,6 +619,7 @@ void App::draw_panels() {
             .timeline = timeline,
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
+            .sound_fault = sounds_.fault(),
             .now_s = now_s(),
             .image = image_.size(),
             .sharing = sharing_.progress(),

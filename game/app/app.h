@@ -16,6 +16,7 @@
 #include "game/app/session_file.h"
 #include "game/app/sharing.h"
 #include "game/app/shown_runs.h"
+#include "game/app/sounds.h"
 #include "game/app/tutorial.h"
 #include "game/app/world_image.h"
 #include "game/base/outcome.h"
@@ -97,6 +98,7 @@ class App {
     void seek(std::int64_t tick, double begun_s);
     void draw_world(const FrameTime& time);
     void draw_panels();
+    void play_sound(int ticks);
     void take_screenshot();
     std::span<const Event> watch_opening(std::span<const Event> events);
     void end_opening();
@@ -173,7 +175,10 @@ class App {
     double now_s() const { return frames_.now_s(); }
     void skip_wait() { frames_.skip_to(screen_.seconds()); }  // it must not be simulated
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s()); }
-    void warn(std::string sentence) { notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s()); }
+    void warn(std::string sentence) {
+        notices_.tell(Notice::Kind::kWarning, std::move(sentence), now_s());
+        sounds_.note(sound::Wave::kRefusal);
+    }
 
     // What belongs to the open world alone, made anew with the next one.
     struct OpenWorld {
@@ -214,6 +219,7 @@ class App {
     std::optional<ShownRuns> runs_;
 
     Tutorial tutorial_;
+    Sounds sounds_;
 
     Screenshots screenshots_;
     Sharing sharing_;

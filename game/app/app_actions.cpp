@@ -92,6 +92,9 @@ void App::perform(Verb verb) {
             return share();
         case Verb::kScreenshot:
             return screenshots_.ask();
+        case Verb::kMute:
+            display_.volumes.muted = !display_.volumes.muted;
+            return tell(display_.volumes.muted ? "Sound off" : "Sound on");
         case Verb::kFullscreen:
             return screen_.set_fullscreen(!screen_.fullscreen());
         case Verb::kQuit:
@@ -485,6 +488,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
         }
     if (!of_runs) runs_.reset();
     sandbox_ = std::move(*begun);
+    sounds_.listen_to(sandbox_->session());
     first_ = std::move(loaded);
     open_ = {};
     image_.begin_world(memory_for_frames(first_));

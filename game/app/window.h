@@ -39,6 +39,7 @@ class Window final : public Screen {
     bool fullscreen() const override;
     std::string clipboard() const override;
     void set_clipboard(const std::string& text) override;
+    bool has_sound() const override { return true; }
     std::string renderer_name() const override;
 
   private:

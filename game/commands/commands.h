@@ -75,6 +75,7 @@ struct ReplayOptions : OutputOptions {
     bool keep = false;  // a try that was scored, among the best runs
     LookFrom look = LookFrom::kShipped;
     std::optional<Viewpoint> view;  // none: the recording's camera
+    std::optional<std::filesystem::path> audio;
     sim::StepOptions step_options;
     Memory memory;
 };

@@ -16,6 +16,8 @@
 #include "game/scene/scene.h"
 #include "game/session/verifier.h"
 #include "game/share/share_recording.h"
+#include "game/sound/sound_file.h"
+#include "render/mountain/overview.h"
 
 namespace game {
 namespace {
@@ -107,16 +109,26 @@ Outcome<int> replay(const ReplayOptions& options) {
     use.reads(*path);
     Outputs::add_to(use, options);
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
+    use.writes("--audio", options.audio);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     auto outputs = Outputs::begin(options, scenario, *session, proof_of(options.recording));
     if (!outputs) return tl::unexpected(outputs.error());
     if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
+    const std::int64_t last = options.until.value_or(recording->last_tick());
+    std::optional<sound::SoundFile> audio;
+    if (options.audio) {
+        session->follow_powder(scenario);  // which is heard too
+        auto opened = sound::SoundFile::open(*options.audio, *session, last,
+                                             scenario.camera.value_or(render::overview(session->view())));
+        if (!opened) return tl::unexpected(opened.error());
+        audio.emplace(std::move(*opened));
+    }
     Verifier verifier(*recording);
     Referee referee(scenario, recording->commands);
 
-    const auto until = Until::after(options.until.value_or(recording->last_tick()));
+    const auto until = Until::after(last);
     Watchers watchers = outputs->watch(scenario, *session,
                                        {scenario.scene, file_hash(*path), options.step_options.threads, {}});
     if (options.verify) verifier.look_at(*session);
@@ -138,8 +150,19 @@ Outcome<int> replay(const ReplayOptions& options) {
         self_check.parted = lockstep->follow(now.state());
         self_check.ticks = now.state().tick;
     };
+    if (audio)
+        watchers.keep = [&, page = watchers.keep](const Session& now) -> Outcome<void> {
+            if (page)
+                if (auto kept = page(now); !kept) return kept;
+            std::vector<sim::Command> due;
+            for (const TimedCommand& each : commands_at(recording->commands, now.state().tick - 1))
+                due.push_back(each.command);
+            return audio->see(now, due);
+        };
     if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
         return tl::unexpected(played.error());
+    if (audio)
+        if (auto closed = audio->close(); !closed) return tl::unexpected(closed.error());
     if (auto closed = outputs->close(*session, recording->commands); !closed)
         return tl::unexpected(closed.error());
 

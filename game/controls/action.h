@@ -51,6 +51,7 @@ enum class Verb {
     kShare,         // page and recording of the slide in a new folder
     kScreenshot,    // of the world alone
     kFullscreen,
+    kMute,  // toggles sound
     kQuit,
 };
 inline constexpr std::size_t kVerbs = static_cast<std::size_t>(Verb::kQuit) + 1;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "game/base/volumes.h"
 #include "game/controls/tier.h"
 #include "render/frame/marks.h"
 #include "render/view/look.h"
@@ -9,7 +10,7 @@
 
 namespace game {
 
-// Display settings; they never affect the world.
+// Settings of what is seen and heard; they never affect the world.
 struct Display {
     static constexpr double kLeastFrameMs = 8, kMostFrameMs = 200;
 
@@ -31,6 +32,7 @@ struct Display {
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
     bool slow_release = true;       // time passes slower for a moment when a slide breaks loose
     bool fast_creep = true;         // and faster when only creep is left of it
+    sound::Volumes volumes;         // of sound
     bool shows_shared = true;       // the folder of a shared slide, in the desktop's file manager
     bool operator==(const Display&) const = default;
 };

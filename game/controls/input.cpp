@@ -25,7 +25,10 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
         if (const auto* wheel = std::get_if<WheelEvent>(&event); wheel && !kept.mouse) take_wheel(*wheel);
         if (const auto* move = std::get_if<MoveEvent>(&event); move && size.width > 0)
             at_ = glm::dvec2(2 * move->x / size.width - 1, 1 - 2 * move->y / size.height);
-        if (const auto* focus = std::get_if<FocusEvent>(&event); focus && !focus->focused) release_all();
+        if (const auto* focus = std::get_if<FocusEvent>(&event)) {
+            focused_ = focus->focused;
+            if (!focused_) release_all();
+        }
         close_asked_ |= std::holds_alternative<CloseEvent>(event);
         dropped_ |= std::holds_alternative<DropEvent>(event);
     }

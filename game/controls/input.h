@@ -44,6 +44,7 @@ class Input {
     bool fast() const { return with_.shift; }
 
     bool close_asked() const { return close_asked_; }
+    bool focused() const { return focused_; }  // keys come here, and not to another window
     bool dropped() const { return dropped_; }
 
   private:
@@ -62,6 +63,7 @@ class Input {
     glm::dvec2 from_{0};
     // Of this frame:
     bool brush_pressed_ = false, camera_pressed_ = false, close_asked_ = false, dropped_ = false;
+    bool focused_ = true;
     std::optional<glm::dvec2> brush_released_at_;
     double zoom_steps_ = 0, resize_steps_ = 0;
 };

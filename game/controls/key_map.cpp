@@ -42,6 +42,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
     KeyBinding{function_key(10), kAlone, false, Verb::kShare, "share this slide as a web page"},
     KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen on or off"},
+    KeyBinding{key('M'), kAlone, false, Verb::kMute, "sound on or off"},
     KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "take a screenshot"},
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},
 };

@@ -54,7 +54,8 @@ class Screen {
     virtual bool fullscreen() const = 0;
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) = 0;
-    virtual std::string renderer_name() const = 0;  // "llvmpipe …, 4.5 (Core Profile) …"
+    virtual bool has_sound() const { return false; }  // on the device of the desktop
+    virtual std::string renderer_name() const = 0;    // "llvmpipe …, 4.5 (Core Profile) …"
 };
 
 }  // namespace game

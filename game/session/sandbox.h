@@ -73,6 +73,9 @@ class Sandbox {
     // the session continues unrecorded; or mass was not conserved.
     Outcome<void> tick(std::span<const sim::Command> hand);
 
+    // Those that the last tick began with: of the scene or the recording, and the user's.
+    std::span<const sim::Command> last_commands() const { return source_.commands(); }
+
     // What is left of each of the goal's tools until now. Only of a world with a goal.
     GoalUse goal_use() const;
     // What was done in this world, its own commands and a person's apart. What was done in a recording before it was

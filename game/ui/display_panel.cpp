@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "game/controls/resolution_control.h"
+#include "game/sound/waves.h"
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
 #include "render/view/sky_light.h"
@@ -191,6 +193,28 @@ bool picture(Desk& desk, Display& display) {
     return changed;
 }
 
+bool sounds(Desk& desk, const Facts& facts, Display& display) {
+    desk.widgets.heading("Sound");
+    bool changed = false;
+    const auto slider = [&](const char* name, const char* tooltip, double& value) {
+        double percent = 100 * value;
+        desk.widgets.row(name);
+        if (!desk.widgets.slider(name, percent, {0, 100, "%.0f %%", false, true}, tooltip)) return;
+        value = percent / 100;
+        changed = true;
+    };
+    bool on = !display.volumes.muted;
+    if (desk.widgets.toggle("Sound", on, "Whether anything is heard."))
+        display.volumes.muted = !on, changed = true;
+    if (!facts.sound_fault.empty()) desk.widgets.dim("Silent: %s.", std::string(facts.sound_fault).c_str());
+    slider("Volume", "Of all that is heard.", display.volumes.all);
+    for (std::size_t i = 0; i < sound::kGroups; ++i) {
+        const sound::GroupInfo& group = sound::info_of(static_cast<sound::Group>(i));
+        slider(group.name, group.meaning, display.volumes.of[i]);
+    }
+    return changed;
+}
+
 bool pace(Desk& desk, Display& display) {
     desk.widgets.heading("Time");
     bool changed = desk.widgets.toggle("Slow release", display.slow_release,
@@ -230,6 +254,7 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     changed |= sun(desk, facts, display);
     camera(desk, facts, actions);
     changed |= pace(desk, display);
+    changed |= sounds(desk, facts, display);
     if (changed) actions.emplace_back(SetDisplay{display});
 }
 

@@ -792,6 +792,23 @@ TEST_F(Playing, closes_the_file_when_it_quits_during_a_stroke) {
     expect_recording_replays();
 }
 
+// A scripted screen has no sound device.
+TEST_F(Playing, switches_sound_off_and_on_by_key_and_panel_without_changing_the_world) {
+    begin();
+    EXPECT_FALSE(app_->display().volumes.muted);
+    tap(key('M'));
+    EXPECT_TRUE(app_->display().volumes.muted);
+    EXPECT_EQ(last_notice(), "Sound off");
+    tap(key('M'));
+    EXPECT_FALSE(app_->display().volumes.muted);
+    screen_.resize_to(1280, 1600);  // all of the panel
+    tap(function_key(4));
+    frames(2);
+    click("Sound");
+    EXPECT_TRUE(app_->display().volumes.muted);
+    expect_recording_replays();
+}
+
 TEST_F(Playing, releases_all_keys_and_buttons_when_the_focus_is_lost) {
     begin();
     point_at_slope();

@@ -124,6 +124,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"FILE.csv", {}},
     {"FILE.json", {}},
     {"FILE.html", {}},
+    {"FILE.wav", {}},
     {"R.npy", {}}};
 
 bool is_whole(const std::string& type) {
