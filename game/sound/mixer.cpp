@@ -142,16 +142,17 @@ void Mixer::mix(const Heard& heard, std::span<const Happened> happened, const si
             if (each.wave == Wave::kBlast) add_echoes(each, world, ear);
         }
     }
-    const auto due = std::ranges::partition(later_, [&](const Later& later) { return later.due_s > now_s_; });
-    for (const auto& [what, due_s] : due) {
-        if (!ear.passes || shots_.size() == kMostShots) break;
+    const auto due = std::partition(later_.begin(), later_.end(),
+                                    [&](const Later& later) { return later.due_s > now_s_; });
+    for (auto later = due; later != later_.end() && ear.passes && shots_.size() < kMostShots; ++later) {
+        const Happened& what = later->what;
         const double away = glm::distance(what.at, ear.at);
         const double gain = loud(what.wave) * gain_of(level_at(what.watts, away, absorbed_of(what.wave)));
         if (gain > 0)
             shots_.push_back({what.wave, what.at - ear.at, static_cast<float>(gain), pitch_at(what.at),
                               static_cast<float>(kWide * away)});
     }
-    later_.erase(due.begin(), due.end());
+    later_.erase(due, later_.end());
     if (!ear.passes) later_.clear();
     for (const Wave wave : notes_)
         if (loud(wave) > 0) shots_.push_back({wave, {}, static_cast<float>(0.5 * loud(wave)), 1, 0});
