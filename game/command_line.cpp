@@ -166,11 +166,13 @@ void add_memory(CLI::App& app, Memory& memory) {
               "[half of the machine's memory]");
 }
 
-void add_size(CLI::App& app, PictureSize& size, const char* of_what, const char* usually) {
+template <class Size>
+void add_size(CLI::App& app, Size& size, const char* of_what, const char* usually) {
     app.add_option_function<std::string>(
            "--size",
            [&size](const std::string& text) {
-               std::tie(size.width, size.height) = pair_of("--size", text, 'x', kPixels);
+               const auto [width, height] = pair_of("--size", text, 'x', kPixels);
+               size = PictureSize{width, height};
            },
            described(of_what, kPixels, usually))
         ->type_name("WxH");
@@ -279,9 +281,10 @@ void add_play(CLI::App& app, PlayOptions& options) {
     add_material_and_model(app, options.overrides);
     add_references(app, options.overrides);
     add_look(app, options.overrides.look);
-    add_size(app, options.size, "set the size of the window", "1280x720");
+    add_size(app, options.size, "set the size of the window", "as it was left, at first 1280x720");
     add_named(app, "--quality", options.tier, tier_from, "fast, balanced, full",
-              "draw moving images in this quality [measured at the start]");
+              "draw moving images in this quality [as chosen before, else measured at the start]");
+    app.add_flag("--safe", options.safe, "start with the usual settings, and keep none");
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
 }

@@ -1,6 +1,7 @@
 #include "game/app/app.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <future>
 #include <utility>
@@ -44,7 +45,8 @@ class Stopwatch {
 
 Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, const sim::StepOptions& options,
                                          const std::optional<std::filesystem::path>& record,
-                                         std::optional<Tier> tier, const std::optional<Remembered>& led) {
+                                         std::optional<Tier> tier, const std::optional<Remembered>& led,
+                                         SettingsFile settings) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
@@ -57,10 +59,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options));
     app->skip_wait();
     app->renderer_name_ = screen.renderer_name();
-    if (tier)
-        app->display_.tier = *tier;
-    else
-        app->image_.begin_trial(app->display_.frame_ms);
+    app->begin_as_kept(std::move(settings), tier);
     if (auto begun = app->begin_world(std::move(loaded), record, backdrop.get()); !begun)
         return tl::unexpected(begun.error());
     if (led) app->begin_tutorial(*led);
@@ -79,6 +78,33 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
 }
 
 App::~App() = default;
+
+// `tier`: of the command line.
+void App::begin_as_kept(SettingsFile settings, std::optional<Tier> tier) {
+    settings_ = std::move(settings);
+    now_set_ = settings_.begun();
+    display_ = now_set_.display;
+    if (!settings_.told().empty()) warn(settings_.told());
+    if (!tier) tier = now_set_.tier;
+    if (tier)
+        display_.tier = *tier;
+    else
+        image_.begin_trial(display_.frame_ms);
+}
+
+// As a person has left them until now. Of a full screen, the size of the window before.
+const Settings& App::settings_now() {
+    now_set_.display = display_;
+    now_set_.fullscreen = screen_.fullscreen();
+    const ScreenSize size = screen_.size();
+    if (now_set_.fullscreen || size.width == 0) return now_set_;
+    const auto side = [&](int pixels) {
+        return std::clamp(static_cast<int>(std::lround(pixels / size.scale)), Settings::kLeastSide,
+                          Settings::kMostSide);
+    };
+    now_set_.width = side(size.width), now_set_.height = side(size.height);
+    return now_set_;
+}
 
 bool App::frame() {
     const double elapsed_s = frames_.begin(screen_.seconds());
@@ -117,13 +143,16 @@ bool App::frame() {
         // Last, of the world that was just shown.
         if (screenshots_.asked()) take_screenshot();
     }
+    if (const auto kept = settings_.see(settings_now(), now_s()); !kept) warn(kept.error().sentence);
     frames_.end(time);
     return !leaving_ && !image_.failure();
 }
 
 Outcome<void> App::finish() {
     if (file_.wanted() && sandbox_->watches()) take_over();
-    return close_recording();
+    const auto kept = settings_.finish(settings_now());
+    auto closed = close_recording();
+    return closed ? kept : closed;
 }
 
 void App::begin_tutorial(const Remembered& led) {

@@ -14,6 +14,7 @@
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
 #include "game/app/session_file.h"
+#include "game/app/settings.h"
 #include "game/app/sharing.h"
 #include "game/app/shown_runs.h"
 #include "game/app/sounds.h"
@@ -46,11 +47,13 @@ class App {
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
     // one suits the machine. `led`: how far the tutorial has got; at its first step `loaded` is its opening slide.
+    // `settings`: what it begins with and where it keeps what a person changes.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record,
                                                std::optional<Tier> tier = std::nullopt,
-                                               const std::optional<Remembered>& led = std::nullopt);
+                                               const std::optional<Remembered>& led = std::nullopt,
+                                               SettingsFile settings = {});
     ~App();
 
     // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if the image
@@ -99,6 +102,8 @@ class App {
     void draw_world(const FrameTime& time);
     void draw_panels();
     void play_sound(int ticks);
+    void begin_as_kept(SettingsFile settings, std::optional<Tier> tier);
+    const Settings& settings_now();
     void take_screenshot();
     std::span<const Event> watch_opening(std::span<const Event> events);
     void end_opening();
@@ -211,6 +216,8 @@ class App {
     Actions actions_;
     Hand hand_;
     Display display_;
+    SettingsFile settings_;
+    Settings now_set_;  // settings_now()
     Lookout lookout_;
     bool leaving_ = false;
 

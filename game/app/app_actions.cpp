@@ -125,7 +125,10 @@ void App::perform(const SetBrush& set) {
 }
 void App::perform(const SetDisplay& set) {
     if (!(set.display.flow == display_.flow)) sandbox_->set_flow(set.display.flow);
-    if (set.display.tier != display_.tier) image_.end_trial();
+    if (set.display.tier != display_.tier) {
+        image_.end_trial();
+        now_set_.tier = set.display.tier;
+    }
     display_ = set.display;
     if (runs_) runs_->choose(display_.probability);
 }

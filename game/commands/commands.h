@@ -175,8 +175,9 @@ struct PlayOptions {
     std::optional<std::filesystem::path> ensemble;  // folder of results; `what` is their file
     Overrides overrides;
     std::optional<std::filesystem::path> record;
-    PictureSize size;
-    std::optional<Tier> tier;  // none: measured
+    std::optional<PictureSize> size;  // none: as it was left
+    std::optional<Tier> tier;         // none: as chosen before, else measured
+    bool safe = false;                // without the settings that were kept
     sim::StepOptions step_options;
 };
 Outcome<int> play(const PlayOptions& options);

@@ -32,6 +32,12 @@ std::string with_recording(const std::string& sentence, const App& app, const Pl
                        app.recording()->string());
 }
 
+// Of the window, as it was left.
+PictureSize size_of(const Settings& kept) {
+    if (kept.width == 0 || kept.height == 0) return {};
+    return {kept.width, kept.height};
+}
+
 // Until the world is ready, which takes a second.
 void show_title(Window& window) {
     ui::Ui ui(ui_font());
@@ -44,10 +50,11 @@ void show_title(Window& window) {
 }  // namespace
 
 Outcome<int> play(const PlayOptions& options) {
+    SettingsFile settings = options.safe ? SettingsFile() : SettingsFile::of_user();
+    const PictureSize size = options.size.value_or(size_of(settings.begun()));
     // Checked before the window opens, so that a mistake on the command line does not flash one.
     Overrides overrides = options.overrides;
-    overrides.memory.use = {
-        .draws = true, .frames = {options.size.width, options.size.height}, .goes_back = true};
+    overrides.memory.use = {.draws = true, .frames = {size.width, size.height}, .goes_back = true};
     std::optional<Remembered> led;
     if (options.what.empty()) led = remembered_guide();
     const bool watches = led && led->guide.step() == Guide::Step::kWatch && !options.record;
@@ -79,11 +86,12 @@ Outcome<int> play(const PlayOptions& options) {
     if (options.until)
         if (auto has = check_tick(*loaded->watched, *options.until, options.what); !has)
             return tl::unexpected(has.error());
-    auto window = Window::open("Couloir", options.size.width, options.size.height);
+    auto window = Window::open("Couloir", size.width, size.height);
     if (!window) return tl::unexpected(window.error());
+    if (settings.begun().fullscreen && !options.size) (*window)->set_fullscreen(true);
     show_title(**window);
-    auto app =
-        App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier, led);
+    auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier,
+                          led, std::move(settings));
     if (!app) return tl::unexpected(app.error());
     if (runs) (*app)->show_runs(std::move(*runs));
     if (options.until) (*app)->take_over_at(*options.until);

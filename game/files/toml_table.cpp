@@ -70,6 +70,14 @@ std::optional<std::string> TomlTable::text(std::string_view key) {
     return value;
 }
 
+std::optional<bool> TomlTable::truth(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::optional<bool> value = node->value_exact<bool>();
+    if (!value) blame(key, "is neither true nor false");
+    return value;
+}
+
 std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t count) {
     return numbers(key, count, count);
 }

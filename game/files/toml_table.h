@@ -36,6 +36,7 @@ class TomlTable {
     }
     std::optional<std::int64_t> whole(std::string_view key, std::int64_t least, std::int64_t most);
     std::optional<std::string> text(std::string_view key);
+    std::optional<bool> truth(std::string_view key);  // true or false
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t least, std::size_t most);
     // A list of `least` to `most` places [x, y], each coordinate within ±kFarthestPlace metres.

@@ -57,6 +57,15 @@ std::optional<fs::path> pictures_folder() {
     return found && fs::is_directory(*found, error) ? found : std::nullopt;
 }
 
+// couloir/NAME in the folder that a variable names, else in this one below the home folder.
+Outcome<fs::path> folder_of_user(const char* variable, const char* usual, const std::string& name) {
+    // The XDG Base Directory Specification says to ignore a relative path.
+    if (const fs::path folder = folder_in(variable); folder.is_absolute()) return folder / "couloir" / name;
+    if (const fs::path home = folder_in("HOME"); home.is_absolute()) return home / usual / "couloir" / name;
+    return machine_fails(
+        fmt::format("no folder for {}: neither {} nor HOME is set; set one", name, variable));
+}
+
 // Tries NAME, NAME-2, ... until `create` succeeds. It returns false, with a reason in errno, if it does not.
 template <class Create>
 Outcome<fs::path> create_new(const fs::path& folder, const std::string& name, const std::string& ending,
@@ -75,12 +84,11 @@ Outcome<fs::path> create_new(const fs::path& folder, const std::string& name, co
 }  // namespace
 
 Outcome<fs::path> data_folder(const std::string& name) {
-    // The XDG Base Directory Specification says to ignore a relative XDG_DATA_HOME.
-    if (const fs::path data = folder_in("XDG_DATA_HOME"); data.is_absolute()) return data / "couloir" / name;
-    if (const fs::path home = folder_in("HOME"); home.is_absolute())
-        return home / ".local/share/couloir" / name;
-    return machine_fails(
-        fmt::format("no folder for {}: neither XDG_DATA_HOME nor HOME is set; set one", name));
+    return folder_of_user("XDG_DATA_HOME", ".local/share", name);
+}
+
+Outcome<fs::path> config_folder(const std::string& name) {
+    return folder_of_user("XDG_CONFIG_HOME", ".config", name);
 }
 
 Outcome<fs::path> screenshots_folder() {

@@ -11,6 +11,9 @@ namespace game {
 // HOME is set.
 Outcome<std::filesystem::path> data_folder(const std::string& name);
 
+// The same in the XDG configuration folder (XDG_CONFIG_HOME, else ~/.config).
+Outcome<std::filesystem::path> config_folder(const std::string& name);
+
 // Where screenshots go: Couloir in the user's pictures folder, which user-dirs.dirs of the XDG configuration
 // folder names, or else couloir/screenshots in the XDG data folder. Errors: as for data_folder().
 Outcome<std::filesystem::path> screenshots_folder();

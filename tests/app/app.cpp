@@ -13,6 +13,7 @@
 #include "game/analysis/headless.h"
 #include "game/commands/runs_of_ensemble.h"
 #include "game/ensemble/ensemble.h"
+#include "game/files/text_file.h"
 #include "game/recording/format.h"
 #include "game/recording/recording_file.h"
 #include "game/session/verifier.h"
@@ -47,8 +48,9 @@ class Playing : public testing::Test {
         if (squares > 0) wishes_.squares = squares;
         auto loaded = open_anything(what, wishes_);
         ASSERT_TRUE(loaded) << loaded.error().sentence;
-        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{},
-                                folder_.path() / "session.couloir", tier_);
+        auto begun =
+            App::begin(screen_, std::move(*loaded), sim::StepOptions{}, folder_.path() / "session.couloir",
+                       tier_, std::nullopt, std::move(settings_));
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -148,6 +150,7 @@ class Playing : public testing::Test {
     GlScreen screen_{640, 360};
     Overrides wishes_;
     std::optional<Tier> tier_ = Tier::kFast;
+    SettingsFile settings_;  // of the next begin()
     std::unique_ptr<App> app_;
 };
 
@@ -807,6 +810,25 @@ TEST_F(Playing, switches_sound_off_and_on_by_key_and_panel_without_changing_the_
     click("Sound");
     EXPECT_TRUE(app_->display().volumes.muted);
     expect_recording_replays();
+}
+
+TEST_F(Playing, begins_as_it_was_left) {
+    setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    settings_ = SettingsFile::of_user();
+    begin();
+    tap(key('M'));
+    ASSERT_TRUE(app_->finish());
+    app_.reset();
+    settings_ = SettingsFile::of_user();
+    begin();
+    EXPECT_TRUE(app_->display().volumes.muted);
+    ASSERT_TRUE(write_text(folder_.path() / "couloir/settings.toml", "version = 2"));
+    app_.reset();
+    settings_ = SettingsFile::of_user();
+    begin();
+    EXPECT_FALSE(app_->display().volumes.muted);
+    const Notices& notices = app_->notices();
+    EXPECT_TRUE(notices[0].sentence.ends_with("and changes are not kept")) << notices[0].sentence;
 }
 
 TEST_F(Playing, releases_all_keys_and_buttons_when_the_focus_is_lost) {
