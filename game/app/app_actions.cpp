@@ -326,7 +326,12 @@ void App::step_back() {
 }
 
 void App::run_back() {
-    if (may_go_back()) time_.turn_round();
+    if (!may_go_back()) return;
+    time_.turn_round();
+    // Time in which everything lay still is passed at once.
+    const Session& session = sandbox_->session();
+    if (time_.clock().runs_back() && session.changed_at() < session.state().tick)
+        time_.rewind_to(session.changed_at());
 }
 
 void App::take_over_at(std::int64_t tick) {

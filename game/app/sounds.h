@@ -24,7 +24,9 @@ class Sounds {
     // Call after each tick, with the commands at its start.
     void see(const Session& session, std::span<const sim::Command> commands);
     // A note for the person.
-    void note(sound::Wave wave) { mixer_.note(wave); }
+    void note(sound::Wave wave) {
+        if (speaker_) mixer_.note(wave);
+    }
     // Once a frame. Returns a sentence if the device has gone; sound goes on once there is one again.
     std::optional<std::string> play(const Session& session, const sound::Ear& ear,
                                     const sound::Volumes& volumes, double now_s);

@@ -10,7 +10,6 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/played_run.h"
 #include "game/files/assets.h"
-#include "game/recording/command_source.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 #include "game/session/session.h"
@@ -70,16 +69,19 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     auto slide = SlidePage::begin(scenario, *session, proof_of(recording), options);
     if (!slide) return tl::unexpected(slide.error());
 
-    CommandSource source;
+    // It ends with its slide, whatever was recorded of the time after that; a try has its own end.
     const std::int64_t last = read->last_tick();
-    for (std::int64_t tick = 0; tick < last; ++tick) {
+    Until until = Until::after(last);
+    if (!scenario.goal) until.rest = Until::Rest::kEnergy;
+    Watchers watchers;
+    watchers.keep = [&](const Session& now) -> Outcome<void> {
         if (stop && stop->load())
             return machine_fails(fmt::format("{}: stopped before its end", page.string()));
-        if (progress) progress->store(static_cast<float>(tick) / static_cast<float>(last));
-        if (auto advanced = session->advance(source.due(session->state(), read->commands)); !advanced)
-            return tl::unexpected(advanced.error());
-        if (auto seen = slide->see(*session); !seen) return tl::unexpected(seen.error());
-    }
+        if (progress) progress->store(static_cast<float>(now.state().tick) / static_cast<float>(last));
+        return slide->see(now);
+    };
+    if (const auto ended = play_headless(*session, read->commands, until, watchers, ""); !ended)
+        return tl::unexpected(ended.error());
     return slide->write(page, *session, read->commands).map([&](const PageReport& report) {
         return with(report, notices);
     });

@@ -10,7 +10,7 @@
 
 namespace game {
 
-// Plays a recording and writes the page of it. That of an untouched challenge asks to beat the best run on this machine. Errors: as read_recording() and SlidePage. With `stop` set it ends with a
+// Plays a recording and writes the page of it, until its slide comes to rest. That of an untouched challenge asks to beat the best run on this machine. Errors: as read_recording() and SlidePage. With `stop` set it ends with a
 // failure and nothing is written. `progress` becomes the share that is done, 0 to 1. Both may be null.
 Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
                                   PageOptions options, const std::atomic<bool>* stop,

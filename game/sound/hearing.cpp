@@ -113,6 +113,7 @@ void Hearing::see_trees(const Session& session) {
 }
 
 const Heard& Hearing::look(const Session& session) {
+    if (session.state().tick != tick_) begin(session);
     look_at_flow(session);
     look_at_powder(session);
     return heard_;

@@ -54,7 +54,7 @@ class Hearing {
     const std::vector<Happened>& happened() const { return happened_; }
     void forget() { happened_.clear(); }
 
-    // What goes on now. Costs what moves; cells that are near an emitter stay with it from one call to the next.
+    // What goes on now; after going back it begins anew. Costs what moves; cells that are near an emitter stay with it from one call to the next.
     const Heard& look(const Session& session);
 
   private:

@@ -812,6 +812,16 @@ TEST_F(Playing, switches_sound_off_and_on_by_key_and_panel_without_changing_the_
     expect_recording_replays();
 }
 
+TEST_F(Playing, rewinds_at_once_through_time_in_which_all_lay_still) {
+    begin();
+    pass(240);
+    ASSERT_GT(state().tick, 200);
+    tap(Key::kBackspace);
+    frames(4);
+    EXPECT_LE(state().tick, app_->sandbox().session().changed_at() + 1);
+    EXPECT_LT(state().tick, 10);
+}
+
 TEST_F(Playing, begins_as_it_was_left) {
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     settings_ = SettingsFile::of_user();
