@@ -155,7 +155,7 @@ struct Facts {
     }
     std::string_view recording;            // file that is being written; empty if none
     std::string_view renderer;             // GL's name
-    std::string_view sound_fault = "";     // why nothing is heard; empty if something can be
+    std::string_view sound_fault = {};     // why nothing is heard; empty if something can be
     double now_s = 0;                      // screen's clock
     ImageSize image = {};                  // of the world, as last drawn
     std::optional<double> sharing = {};    // 0 to 1, how much of the page of a shared slide is done

@@ -61,8 +61,10 @@ void transform(std::vector<std::complex<double>>& values) {
     }
 }
 
-// Share of the power between two frequencies, Hz.
+// Share of the power between two frequencies, Hz, of the first one and a half seconds.
 double share_between(std::span<const float> samples, double least_hz, double most_hz) {
+    constexpr std::size_t kLooked = 1 << 16;
+    samples = samples.first(std::min(samples.size(), kLooked));
     std::size_t size = 1;
     while (size < samples.size()) size *= 2;
     std::vector<std::complex<double>> values(size);
