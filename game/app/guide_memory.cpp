@@ -44,10 +44,9 @@ Remembered remembered_guide() {
     if (!path || !fs::exists(*path, error)) return {};
     const auto step = step_in(*path);
     if (step) return {Guide(*step), ""};
-    const fs::path aside = fs::path(*path).concat(".damaged");
-    fs::rename(*path, aside, error);
+    const auto aside = set_aside(*path);
     return {Guide(), fmt::format("{}: {}; the first steps start again{}", path->string(), step.error(),
-                                 error ? "" : fmt::format(", and it is kept as {}", aside.string()))};
+                                 aside ? fmt::format(", and it is kept as {}", aside->string()) : "")};
 }
 
 Outcome<void> remember(const Guide& guide) {

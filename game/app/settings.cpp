@@ -168,10 +168,9 @@ SettingsFile SettingsFile::of_user() {
         file.begun_ = file.kept_ = file.seen_ = read;
         return file;
     }
-    const fs::path aside = fs::path(*path).concat(".damaged");
-    fs::rename(*path, aside, error);
+    const auto aside = set_aside(*path);
     file.told_ = fmt::format("{}. The usual settings are used{}", *fault,
-                             error ? "" : fmt::format("; the file is kept as {}", aside.string()));
+                             aside ? fmt::format("; the file is kept as {}", aside->string()) : "");
     return file;
 }
 

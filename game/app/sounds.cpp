@@ -21,7 +21,7 @@ void Sounds::look_for_device(double now_s) {
     asked_s_ = now_s;
     const auto begun =
         opens_.begin([](const std::atomic<bool>& /*stopped*/) -> Outcome<std::unique_ptr<sound::Speaker>> {
-            auto speaker = sound::open_speaker(sound::Speaker::Output::kDevice, sound::samples_of_waves());
+            auto speaker = sound::open_speaker(sound::Speaker::Output::kDevice, sound::samples_of_waves);
             if (!speaker) return machine_fails(speaker.error());
             return std::move(*speaker);
         });

@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +30,13 @@ Outcome<void> write_text(const fs::path& path, std::string_view text) {
     if (auto placed = make_place_for(path); !placed) return placed;
     if (auto written = files::write(path, text); !written) return machine_fails(written.error());
     return {};
+}
+
+std::optional<std::filesystem::path> set_aside(const std::filesystem::path& path) {
+    auto aside = std::filesystem::path(path).concat(".damaged");
+    std::error_code error;
+    std::filesystem::rename(path, aside, error);
+    return error ? std::nullopt : std::optional(std::move(aside));
 }
 
 Outcome<void> make_place_for(const fs::path& path) {

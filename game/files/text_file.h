@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ Outcome<std::string> read_text(const std::filesystem::path& path);
 
 // Writes a whole file (files/whole_file.h); makes its folder. Errors: status 3.
 Outcome<void> write_text(const std::filesystem::path& path, std::string_view text);
+
+// Renames a damaged file to NAME.damaged, so that nobody reads it and nothing is lost. Its new name; nothing if that cannot be.
+std::optional<std::filesystem::path> set_aside(const std::filesystem::path& path);
 
 // Checks that write_text() could write this file, and makes its folder. Call it before long work that ends in
 // this file. Errors: status 3.

@@ -48,13 +48,13 @@ class Hearing {
 
     explicit Hearing(const Session& session) { begin(session); }
 
-    // Call after a tick, with the commands at its start. What has happened in it is added to happened(). After a tick that
-    // does not follow the last one, as after going back, begins anew.
+    // Call after a tick, with the commands at its start. What has happened in it is added to happened(). After going back it
+    // starts again: nothing has happened.
     void see(const Session& session, std::span<const sim::Command> commands);
     const std::vector<Happened>& happened() const { return happened_; }
     void forget() { happened_.clear(); }
 
-    // What goes on now; after going back it begins anew. Costs what moves; cells that are near an emitter stay with it from one call to the next.
+    // What goes on now. Costs what moves; cells that are near an emitter stay with it from one call to the next.
     const Heard& look(const Session& session);
 
   private:

@@ -136,8 +136,7 @@ void quieten_alsa() {
         reinterpret_cast<int (*)(decltype(&say_nothing))>(set)(&say_nothing);
 }
 
-tl::expected<std::unique_ptr<Speaker>, std::string> opened(Speaker::Output output,
-                                                           const SamplesOfWaves& samples) {
+tl::expected<std::unique_ptr<Speaker>, std::string> opened(Speaker::Output output, MakeSamples samples) {
     setenv("ALSOFT_LOGLEVEL", "0", 0);  // what is wrong is told in a sentence
     quieten_alsa();
     const bool to_memory = output == Speaker::Output::kMemory;
@@ -160,7 +159,7 @@ tl::expected<std::unique_ptr<Speaker>, std::string> opened(Speaker::Output outpu
         return tl::unexpected(std::string("the sound device takes no sound"));
     auto speaker =
         std::make_unique<OpenAlSpeaker>(std::move(device), std::move(context), to_memory ? render : nullptr);
-    if (!speaker->prepare(samples))
+    if (!speaker->prepare(samples()))
         return tl::unexpected(std::string("the sound device has no room for sound"));
     return speaker;
 }

@@ -62,7 +62,7 @@ Outcome<SoundFile> SoundFile::open(const std::filesystem::path& path, const Sess
             fmt::format("{}: a WAV file has at most 4 GiB, and this sound would have {:.1f}; use --until",
                         path.string(), static_cast<double>(bytes) / (std::int64_t{1} << 30)));
     if (auto placed = make_place_for(path); !placed) return tl::unexpected(placed.error());
-    auto speaker = open_speaker(Speaker::Output::kMemory, samples_of_waves());
+    auto speaker = open_speaker(Speaker::Output::kMemory, samples_of_waves);
     if (!speaker) return machine_fails(speaker.error());
     auto file = files::WholeFile::open(path);
     if (!file) return machine_fails(file.error());

@@ -34,9 +34,9 @@ class Speaker {
     virtual void render(std::span<float> left_right) = 0;
 };
 
-// `samples`: of each Wave. Errors: there is no sound device.
-tl::expected<std::unique_ptr<Speaker>, std::string> open_speaker(Speaker::Output output,
-                                                                 const SamplesOfWaves& samples);
+// `samples`: makes those of each Wave, which takes half a second, once there is a device for them. Errors: there is none.
+using MakeSamples = SamplesOfWaves (*)();
+tl::expected<std::unique_ptr<Speaker>, std::string> open_speaker(Speaker::Output output, MakeSamples samples);
 
 // What open_speaker() calls: OpenAL is in a module, because nothing but sound needs it.
 struct SpeakerDoor {

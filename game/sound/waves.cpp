@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 
@@ -158,17 +159,24 @@ void thump(std::vector<double>& into, double from_hz, double to_hz, double sinks
     }
 }
 
-// A soft note with a little of its octave.
-void note(std::vector<double>& into, double begin, double hz, double fades_s) {
-    for (auto i = static_cast<std::size_t>(begin * kRate); i < into.size(); ++i) {
-        const double t = static_cast<double>(i) / kRate - begin, phase = kTurn * hz * t;
-        into[i] += (1 - std::exp(-t / 0.012)) * std::exp(-t / fades_s) *
-                   (std::sin(phase) + 0.15 * std::sin(2 * phase));
-    }
-}
-
 std::vector<double> silence(double seconds) {
     return std::vector<double>(static_cast<std::size_t>(seconds * kRate), 0.);
+}
+
+struct Note {
+    double begin, hz, fades_s;
+};
+
+// Soft notes with a little of their octave.
+std::vector<double> notes(double seconds, std::initializer_list<Note> all_notes) {
+    auto all = silence(seconds);
+    for (const auto& [begin, hz, fades_s] : all_notes)
+        for (auto i = static_cast<std::size_t>(begin * kRate); i < all.size(); ++i) {
+            const double t = static_cast<double>(i) / kRate - begin, phase = kTurn * hz * t;
+            all[i] += (1 - std::exp(-t / 0.012)) * std::exp(-t / fades_s) *
+                      (std::sin(phase) + 0.15 * std::sin(2 * phase));
+        }
+    return all;
 }
 
 // Knocks of many sizes: the larger, the rarer and the lower.
@@ -281,7 +289,6 @@ std::vector<double> metal(double seconds) {
 }
 
 std::vector<double> made(Wave wave, double seconds) {
-    auto all = silence(seconds);
     switch (wave) {
         case Wave::kRumble:
             return loop_of_noise(1, seconds, 28, 95, {8, 30}, 0.35);
@@ -310,21 +317,14 @@ std::vector<double> made(Wave wave, double seconds) {
         case Wave::kMetal:
             return metal(seconds);
         case Wave::kHint:
-            note(all, 0, 659.3, 0.12);
-            note(all, 0.11, 880, 0.16);
-            return all;
+            return notes(seconds, {{0, 659.3, 0.12}, {0.11, 880, 0.16}});
         case Wave::kMedal:
-            note(all, 0, 523.3, 0.3);
-            note(all, 0.14, 659.3, 0.3);
-            note(all, 0.28, 784, 0.35);
-            note(all, 0.42, 1046.5, 0.4);
-            return all;
+            return notes(seconds,
+                         {{0, 523.3, 0.3}, {0.14, 659.3, 0.3}, {0.28, 784, 0.35}, {0.42, 1046.5, 0.4}});
         case Wave::kRefusal:
-            note(all, 0, 233.1, 0.07);
-            note(all, 0.1, 207.7, 0.09);
-            return all;
+            return notes(seconds, {{0, 233.1, 0.07}, {0.1, 207.7, 0.09}});
     }
-    return all;
+    return {};
 }
 
 double root_mean_square(const std::vector<double>& all) {

@@ -305,8 +305,10 @@ TEST(Mixer, gives_a_blast_echoes_that_come_later_and_quieter) {
 class LoopbackSpeaker : public testing::Test {
   protected:
     void SetUp() override {
-        static const auto samples = sound::samples_of_waves();
-        auto opened = sound::open_speaker(sound::Speaker::Output::kMemory, samples);
+        auto opened = sound::open_speaker(sound::Speaker::Output::kMemory, [] {
+            static const auto samples = sound::samples_of_waves();
+            return samples;
+        });
         ASSERT_TRUE(opened) << opened.error();
         speaker_ = std::move(*opened);
     }

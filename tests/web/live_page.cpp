@@ -109,6 +109,14 @@ class LivePage : public BrowserTest {
         browser().press("t");
         ASSERT_TRUE(browser().comes("couloir.live.on", 60)) << text("told");
     }
+    // Opens a page whose world cannot be taken over, and asks for it until a sentence is shown.
+    static void ask_in_vain(const std::string& address) {
+        browser().size(640, 480);
+        ASSERT_EQ(browser().open(address), "ready") << text("note");
+        browser().value("couloir.freeze(0.25)");
+        browser().press("t");
+        EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    }
     // Saves what was done; the program proves it. Returns what it prints.
     static std::string proven(const std::vector<std::string>& more = {"--verify"}) {
         const std::string recording =
@@ -313,11 +321,7 @@ TEST_F(LivePage, is_taken_over_from_a_plain_and_from_a_strict_server_by_one_requ
 TEST_F(LivePage, plays_back_with_a_sentence_where_a_policy_forbids_its_world) {
     const Loopback server(avalanche().page,
                           "Content-Security-Policy: script-src 'unsafe-inline'; worker-src blob:\r\n");
-    browser().size(640, 480);
-    ASSERT_EQ(browser().open(server.address()), "ready") << text("note");
-    browser().value("couloir.freeze(0.25)");
-    browser().press("t");
-    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    ask_in_vain(server.address());
     EXPECT_NE(text("told").find("can be watched only"), std::string::npos) << text("told");
     browser().press("Home");
     EXPECT_EQ(browser().value("couloir.tick"), 0);
@@ -327,11 +331,7 @@ TEST_F(LivePage, plays_back_with_a_sentence_where_its_world_is_damaged) {
     std::string page = avalanche().page;
     const auto at = page.find("id=\"world\">") + 2000;
     page.replace(at, 8, "AAAAAAAA");
-    browser().size(640, 480);
-    ASSERT_EQ(browser().open(file_of(page)), "ready");
-    browser().value("couloir.freeze(0.25)");
-    browser().press("t");
-    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    ask_in_vain(file_of(page));
     EXPECT_EQ(
         text("told"),
         "The world in this page is damaged, so it can be watched only. Copy or download the file again.");
@@ -362,11 +362,7 @@ class InWorker {
 TEST_F(LivePage, plays_back_with_a_sentence_where_memory_for_its_world_is_refused) {
     const InWorker refuses(browser(),
                            "WebAssembly.instantiate = async () => { throw new RangeError('no memory'); };");
-    browser().size(640, 480);
-    ASSERT_EQ(browser().open(file_of(avalanche().page)), "ready");
-    browser().value("couloir.freeze(0.25)");
-    browser().press("t");
-    EXPECT_TRUE(browser().comes("document.getElementById('told').checkVisibility()", 20));
+    ask_in_vain(file_of(avalanche().page));
     EXPECT_EQ(
         text("told"),
         "This slide can be watched only: the browser refuses memory for the world in this page (no memory)");
