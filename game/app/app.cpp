@@ -116,7 +116,7 @@ bool App::frame() {
     const auto events = watch_opening(screen_.poll());
     const ScreenSize size = screen_.size();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
-    input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
+    input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys(), ui_.shows_menu()}, actions_);
     perform_all();
     tell_results();
 
@@ -125,8 +125,8 @@ bool App::frame() {
     guide_stroke();
     time.stage_ms[stage_index(Stage::kInput)] = watch.lap();
 
-    // Ticks that are due, each with the user's commands: recorded first, then applied.
-    run_ticks(elapsed_s, time);
+    // Ticks that are due, each with the user's commands: recorded first, then applied. None behind the menu.
+    if (!ui_.shows_menu()) run_ticks(elapsed_s, time);
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
     lead();
@@ -153,6 +153,10 @@ Outcome<void> App::finish() {
     const auto kept = settings_.finish(settings_now());
     auto closed = close_recording();
     return closed ? kept : closed;
+}
+
+void App::begin_menu() {
+    ui_.begin_menu();
 }
 
 void App::begin_tutorial(const Remembered& led) {
@@ -182,13 +186,13 @@ void App::end_opening() {
 
 // Shows the hint that is due, and puts the tool of a new step into the hand.
 void App::lead() {
-    const auto begun =
-        tutorial_.see({.now_s = now_s(),
-                       .may_play = !tutorial_.shows_opening() && !sandbox_->watches() &&
-                                   !sandbox_->scenario().goal && !sandbox_->scenario().flow,
-                       .moves = !sim::at_rest(sandbox_->session().state()) && !time_.pace().creeps(),
-                       .runs_back = time_.clock().runs_back(),
-                       .looks_back = sandbox_->looks_back()});
+    const auto begun = tutorial_.see(
+        {.now_s = now_s(),
+         .may_play = !tutorial_.shows_opening() && !sandbox_->watches() && !sandbox_->scenario().goal &&
+                     !sandbox_->scenario().flow && !ui_.shows_menu(),
+         .moves = !sim::at_rest(sandbox_->session().state()) && !time_.pace().creeps(),
+         .runs_back = time_.clock().runs_back(),
+         .looks_back = sandbox_->looks_back()});
     if (!begun) return;
     sounds_.note(sound::Wave::kHint);
     if (*begun == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
@@ -412,7 +416,7 @@ bool App::has_card() const {
 void App::judge_slides() {
     if (const auto lasted = open_.results.came_to_rest(*sandbox_))
         tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
-                         name_of(screen_.layout(), Verb::kShare)));
+                         name_of(keys(), Verb::kShare)));
     if (const auto swept = open_.results.judge_slide(*sandbox_, time_.pace().creeps()))
         tell(fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
 }
@@ -421,7 +425,8 @@ void App::judge_slides() {
 void App::play_sound(int ticks) {
     const Session& session = sandbox_->session();
     sound::Ear ear = sound::ear_of(camera(), session.view());
-    ear.passes = ticks > 0 || !(time_.clock().paused() || time_.clock().runs_back() || time_.target());
+    ear.passes = ticks > 0 ||
+                 !(time_.clock().paused() || time_.clock().runs_back() || time_.target() || ui_.shows_menu());
     ear.looks = input_.focused();
     if (ticks > 0 && hand_.stroke() && hand_.stroke()->deed().acts == Acts::kAllTheTime)
         ear.scrapes = lookout_.ground();
@@ -462,7 +467,7 @@ void App::take_over_at_end() {
         tell(
             fmt::format("End of the recording, replayed bit for bit. You can continue from here; {} shares "
                         "it as a web page",
-                        name_of(screen_.layout(), Verb::kShare)));
+                        name_of(keys(), Verb::kShare)));
 }
 
 // A ring around what the tool reaches, or the outline of what it is about to place.
@@ -644,7 +649,7 @@ void App::draw_panels() {
             .times = times(),
             .notices = notices_,
             .catalogue = catalogue_,
-            .keyboard = screen_.layout(),
+            .keys = keys(),
             .timeline = timeline,
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,

@@ -61,6 +61,8 @@ class App {
     bool frame();
     // Plays a recording up to this tick and takes it over there.
     void take_over_at(std::int64_t tick);
+    // Shows the menu, as the first thing that is seen.
+    void begin_menu();
     // Shows runs over their world, which is open, until a world of another ground is.
     void show_runs(Runs runs);
     // Closes the recording. Errors: it cannot be written (3).
@@ -174,10 +176,11 @@ class App {
                               std::optional<Backdrop> backdrop = std::nullopt);
     Outcome<std::optional<Recorder>> begin_recording(const Scenario& scenario,
                                                      const std::optional<std::filesystem::path>& wanted);
-    void open_or_tell(const std::string& name_or_path, const Overrides& overrides);
+    bool open_or_tell(const std::string& name_or_path, const Overrides& overrides);  // false: it was refused
     Outcome<void> close_recording();
 
     double now_s() const { return frames_.now_s(); }
+    Keys keys() const { return {screen_.layout(), now_set_.keys}; }
     void skip_wait() { frames_.skip_to(screen_.seconds()); }  // it must not be simulated
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s()); }
     void warn(std::string sentence) {
@@ -212,12 +215,12 @@ class App {
 
     FrameClock frames_;
     TimeControl time_;
-    Input input_;
     Actions actions_;
     Hand hand_;
     Display display_;
     SettingsFile settings_;
     Settings now_set_;  // settings_now()
+    Input input_{now_set_.keys};
     Lookout lookout_;
     bool leaving_ = false;
 

@@ -133,7 +133,8 @@ void App::perform(const SetDisplay& set) {
     if (runs_) runs_->choose(display_.probability);
 }
 void App::perform(const Open& open) {
-    open_or_tell(open.name_or_path, open.overrides);
+    const bool opened = open_or_tell(open.name_or_path, open.overrides);
+    if (opened && open.goes_on && sandbox_->watches()) take_over_at(sandbox_->known_until());
 }
 
 void App::perform(const LookAt& wish) {
@@ -262,7 +263,7 @@ render::Camera App::home() const {
 
 // Shows a notice, because neither mode is visible in the image.
 void App::tell_camera_mode() {
-    const KeyboardLayout& keys = screen_.layout();
+    const Keys keys = this->keys();
     if (lookout_.control().mode() == CameraMode::kTopDown)
         tell(fmt::format("Top view, north up. Drag with the middle button to pan; press {} to return",
                          name_of(keys, Verb::kTopDown)));
@@ -363,7 +364,7 @@ void App::take_over() {
 void App::tell_hands_off() {
     tell(fmt::format("Read-only: {}. Press {} to continue from here",
                      sandbox_->watches() ? "watching a recording" : "looking at the past",
-                     name_of(screen_.layout(), Verb::kTakeOver)));
+                     name_of(keys(), Verb::kTakeOver)));
 }
 
 void App::reset() {
@@ -425,13 +426,14 @@ void App::tell_results() {
     if (display_.shows_shared) show_folder((*shared)->folder);
 }
 
-void App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
+bool App::open_or_tell(const std::string& name_or_path, const Overrides& overrides) {
     Overrides within = overrides;
     within.memory = first_.memory;
     within.memory.use.sessions = 2;  // the old world exists until the new one is loaded
     auto loaded = open_anything(name_or_path, within);
-    if (!loaded) return warn(loaded.error().sentence);
-    if (const auto begun = begin_afresh(std::move(*loaded)); !begun) warn(begun.error().sentence);
+    const auto begun = loaded ? begin_afresh(std::move(*loaded)) : tl::unexpected(loaded.error());
+    if (!begun) warn(begun.error().sentence);
+    return begun.has_value();
 }
 
 void App::show_runs(Runs runs) {
@@ -456,7 +458,10 @@ void App::open_run(std::int64_t run) {
 Outcome<void> App::begin_afresh(LoadedWorld loaded) {
     const TickClock before = std::exchange(time_.clock(), {});
     auto begun = begin_world(std::move(loaded), std::nullopt);
-    if (!begun) time_.clock() = before;
+    if (begun)
+        ui_.close_menu();
+    else
+        time_.clock() = before;
     return begun;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,8 @@ void each_setting(Settings& s, Each& each) {
     each.side("width", s.width);
     each.side("height", s.height);
     each.flag("full_screen", s.fullscreen);
+    each.table("keys");
+    each.keys(s.keys);
     each.end();
 }
 
@@ -81,6 +84,25 @@ class Reads {
         if (!value) table_->blame(key, "must be fast, balanced or full");
     }
 
+    void keys(KeyMap& map) {
+        for (std::size_t row = 0; table_ && row < map.size(); ++row) {
+            const auto text = table_->text(map.name(row));
+            if (!text) continue;
+            const auto chord = chord_of(*text);
+            if (!chord || !map.accepts(row, *chord) || !map.may_change(row))
+                table_->blame(map.name(row), fmt::format("cannot be \"{}\"", *text));
+            else
+                changed_.emplace_back(row, *chord);
+        }
+        // Two keys may have changed places.
+        for (const auto& [row, chord] : changed_) map.bind(row, {});
+        for (const auto& [row, chord] : changed_) {
+            if (const auto other = map.conflict(row, chord))
+                table_->blame(map.name(row), fmt::format("is the same key as {}", map.name(*other)));
+            map.bind(row, chord);
+        }
+    }
+
     void end() {
         if (table_ && !fault_) table_->finish();
         table_.reset();
@@ -90,7 +112,14 @@ class Reads {
     TomlTable& file_;
     TomlFault& fault_;
     std::unique_ptr<TomlTable> table_;
+    std::vector<std::pair<std::size_t, Chord>> changed_;
 };
+
+// As TOML; the text is short and has no more than one kind of mark.
+std::string quoted(const std::string& text) {
+    const char mark = text.find('\\') == std::string::npos ? '"' : '\'';
+    return mark + text + mark;
+}
 
 class Writes {
   public:
@@ -105,6 +134,13 @@ class Writes {
     }
     void tier(const char* key, std::optional<Tier> value) {
         if (value) text_ += fmt::format("{} = \"{}\"\n", key, info_of(*value).name);
+    }
+    // Those that a person has changed, so that a later program may have other usual ones.
+    void keys(const KeyMap& map) {
+        const KeyMap usual;
+        for (std::size_t row = 0; row < map.size(); ++row)
+            if (map.at(row) != usual.at(row))
+                text_ += fmt::format("{} = {}\n", map.name(row), quoted(text_of(map.at(row))));
     }
     void end() {}
     std::string text() && { return std::move(text_); }

@@ -6,6 +6,7 @@
 
 #include "game/base/outcome.h"
 #include "game/controls/display.h"
+#include "game/controls/key_map.h"
 #include "game/controls/tier.h"
 
 namespace game {
@@ -18,6 +19,7 @@ struct Settings {
     std::optional<Tier> tier;   // none: measured
     int width = 0, height = 0;  // of the window, before the monitor's scale; 0: the usual ones
     bool fullscreen = false;
+    KeyMap keys;
     bool operator==(const Settings&) const = default;
 };
 

@@ -148,9 +148,8 @@ void WorldImage::finish_trial(double draw_ms) {
         "this machine draws moving images in time at a lower resolution",
         "this machine draws moving images in time at full resolution or a little less",
         "this machine draws every image in time at full resolution with smooth edges"};
-    tell(fmt::format("Quality: {}, because {}. Change it in the Display panel ({})", info_of(*tier).name,
-                     kMeanings[static_cast<std::size_t>(*tier)],
-                     name_of(screen_.layout(), Verb::kToggleDisplay)));
+    tell(fmt::format("Quality: {}, because {}. Settings in the menu change it", info_of(*tier).name,
+                     kMeanings[static_cast<std::size_t>(*tier)]));
 }
 
 // Tells once per size of the screen what does not fit.

@@ -94,6 +94,7 @@ Outcome<int> play(const PlayOptions& options) {
                           led, std::move(settings));
     if (!app) return tl::unexpected(app.error());
     if (runs) (*app)->show_runs(std::move(*runs));
+    if (led && !watches && !options.record) (*app)->begin_menu();
     if (options.until) (*app)->take_over_at(*options.until);
     while ((*app)->frame()) {
     }

@@ -46,7 +46,8 @@ enum class Verb {
     kToggleDisplay,
     kTogglePerformance,
     kToggleHelp,
-    kClosePanel,    // the open list, else the help, else the last opened panel
+    kClosePanel,    // the open list, else the help, else the last opened panel; else opens the menu
+    kMenu,          // opens and closes it
     kTogglePanels,  // all of them, and what is in the corners
     kShare,         // page and recording of the slide in a new folder
     kScreenshot,    // of the world alone
@@ -77,6 +78,7 @@ struct SetDisplay {
 struct Open {
     std::string name_or_path;
     Overrides overrides;
+    bool goes_on = false;  // a recording is played to its end at once, and continued there
 };
 
 // Turns the camera to a place in plan, m.

@@ -16,7 +16,7 @@
 namespace game {
 namespace {
 
-// Reads the title of a scene or a material, and which kind of scene it is.
+// Reads the title of a scene or a material, and what else is told of a scene.
 Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
     const auto scene = read_scene_file(entry.file);
     if (!scene) return tl::unexpected(scene.error());
@@ -24,6 +24,8 @@ Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
     if (document.contains("goal")) entry.kind = Catalogue::Kind::kChallenge;
     if (document.contains("flow")) entry.kind = Catalogue::Kind::kFlowDemo;
     if (scene->harder_than) entry.harder_than = *scene->harder_than;
+    entry.about = document["goal"]["say"].value_or(scene->about.value_or(""));
+    entry.difficulty = scene->difficulty.value_or(0);
     return document["title"].value_or(entry.name);
 }
 
@@ -66,7 +68,9 @@ Outcome<Catalogue> read_catalogue() {
         if (!found) return tl::unexpected(found.error());
         *entries = std::move(*found);
     }
-    std::ranges::stable_sort(catalogue.scenes, {}, &Catalogue::Entry::kind);
+    std::ranges::stable_sort(catalogue.scenes, {}, [](const Catalogue::Entry& scene) {
+        return std::pair(scene.kind, scene.difficulty);
+    });
     return catalogue;
 }
 

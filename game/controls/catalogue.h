@@ -12,8 +12,8 @@ namespace game {
 
 // The scenes, materials and recordings that can be opened, by name and title.
 struct Catalogue {
-    // Pixels of the picture of a shipped scene, which is NAME.png beside NAME.toml.
-    static constexpr int kPictureWidth = 144, kPictureHeight = 81;
+    // Pixels of the picture of a shipped scene, which is NAME.jpg beside NAME.toml.
+    static constexpr int kPictureWidth = 576, kPictureHeight = 324;
     enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo };  // of a scene
     struct Best {
         std::int64_t score = 0;
@@ -25,8 +25,10 @@ struct Catalogue {
         Kind kind = Kind::kMountain;
         std::string harder_than = {};   // the name of another challenge; empty: none
         std::optional<Best> best = {};  // run of a challenge that is known; read_catalogue() knows none
+        std::string about = {};         // a sentence: of a challenge its task; may be empty
+        std::int64_t difficulty = 0;    // of a challenge, 1 to SceneFile::kHardest; 0: not known
     };
-    std::vector<Entry> scenes;  // by kind, then by name
+    std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name
     std::vector<Entry> materials, recordings;
     std::vector<Entry> own;     // the user's recordings, newest first
     std::vector<Entry> worlds;  // that the user has saved, and challenges; newest first

@@ -13,12 +13,16 @@
 
 namespace game {
 
-// Converts events to actions, using the tables of key_map.h. Does not depend on the world.
+// Converts events to actions, using a key map and the gestures of key_map.h. Does not depend on the world.
 class Input {
   public:
+    // `map` outlives it, and may change.
+    explicit Input(const KeyMap& map) : map_(&map) {}
+
     // The input that panels use in this frame (ui/ui.h).
     struct Kept {
         bool mouse = false, keys = false;
+        bool menu = false;  // only what concerns the program as a whole works beside it
     };
     // Processes the events of a frame and appends the requested actions to `actions`.
     void take(std::span<const Event> events, ScreenSize size, Kept kept, Actions& actions);
@@ -48,11 +52,12 @@ class Input {
     bool dropped() const { return dropped_; }
 
   private:
-    void take_key(const KeyEvent& event, bool kept, Actions& actions);
+    void take_key(const KeyEvent& event, Kept kept, Actions& actions);
     void take_button(const ButtonEvent& event, bool kept);
     void take_wheel(const WheelEvent& event);
     void release_all();
 
+    const KeyMap* map_;
     ScreenSize size_;
     Modifiers with_;
     std::array<bool, kKeys> down_{};

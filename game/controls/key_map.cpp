@@ -11,55 +11,63 @@ constexpr Modifiers kAlone{}, kShift{true, false, false}, kControl{false, true, 
 
 // In the order of the help panel.
 constexpr std::array kKeyBindings{
-    KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller brush"},
-    KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger brush"},
-    KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker brush"},
-    KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger brush"},
-    KeyBinding{key('L'), kAlone, false, Verb::kPourStandingOrRolling,
+    KeyBinding{Key::kLeftBracket, kAlone, true, Verb::kSmallerBrush, "smaller_brush", "smaller brush"},
+    KeyBinding{Key::kRightBracket, kAlone, true, Verb::kLargerBrush, "larger_brush", "larger brush"},
+    KeyBinding{Key::kLeftBracket, kShift, true, Verb::kWeakerBrush, "weaker_brush", "weaker brush"},
+    KeyBinding{Key::kRightBracket, kShift, true, Verb::kStrongerBrush, "stronger_brush", "stronger brush"},
+    KeyBinding{key('L'), kAlone, false, Verb::kPourStandingOrRolling, "poured_layer",
                "pour onto the standing or into the rolling layer"},
-    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause or resume; tools act in a pause too"},
-    KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "step one tick"},
-    KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "step one tick back"},
-    KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "rewind, or run forward again"},
-    KeyBinding{Key::kEnter, kAlone, false, Verb::kTakeOver, "continue from here, in the past or a recording"},
-    KeyBinding{Key::kMinus, kAlone, false, Verb::kSlower, "half the speed"},
-    KeyBinding{Key::kEqual, kAlone, false, Verb::kFaster, "twice the speed"},
-    KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "normal speed"},
-    KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo the last action"},
-    KeyBinding{key('Y'), kControl, false, Verb::kRedo, "redo what was undone last"},
-    KeyBinding{key('Z'), kControlShift, false, Verb::kRedo, "redo what was undone last"},
-    KeyBinding{key('R'), kControl, false, Verb::kReset, "restart the scene"},
-    KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "show the whole terrain"},
-    KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top view on or off"},
-    KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly mode on or off"},
-    KeyBinding{key('V'), kAlone, false, Verb::kChase, "follow the front of a slide, or stop that"},
-    KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "this help"},
-    KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene panel"},
-    KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics panel"},
-    KeyBinding{function_key(4), kAlone, false, Verb::kToggleDisplay, "display panel"},
-    KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance panel"},
-    KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close a list or a panel"},
-    KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "show or hide all panels"},
-    KeyBinding{function_key(10), kAlone, false, Verb::kShare, "share this slide as a web page"},
-    KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full screen on or off"},
-    KeyBinding{key('M'), kAlone, false, Verb::kMute, "sound on or off"},
-    KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "take a screenshot"},
-    KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit"},
+    KeyBinding{Key::kSpace, kAlone, false, Verb::kPauseOrGoOn, "pause",
+               "pause or resume; tools act in a pause too"},
+    KeyBinding{Key::kPeriod, kAlone, true, Verb::kStepOnce, "step", "step one tick"},
+    KeyBinding{Key::kComma, kAlone, true, Verb::kStepBack, "step_back", "step one tick back"},
+    KeyBinding{Key::kBackspace, kAlone, false, Verb::kRunBack, "rewind", "rewind, or run forward again"},
+    KeyBinding{Key::kEnter, kAlone, false, Verb::kTakeOver, "continue_here",
+               "continue from here, in the past or a recording"},
+    KeyBinding{Key::kMinus, kAlone, false, Verb::kSlower, "slower", "half the speed"},
+    KeyBinding{Key::kEqual, kAlone, false, Verb::kFaster, "faster", "twice the speed"},
+    KeyBinding{key('0'), kAlone, false, Verb::kUsualSpeed, "usual_speed", "normal speed"},
+    KeyBinding{key('Z'), kControl, false, Verb::kUndo, "undo", "undo the last action"},
+    KeyBinding{key('Y'), kControl, false, Verb::kRedo, "redo", "redo what was undone last"},
+    KeyBinding{key('Z'), kControlShift, false, Verb::kRedo, "redo_too", "redo what was undone last"},
+    KeyBinding{key('R'), kControl, false, Verb::kReset, "restart", "restart the scene"},
+    KeyBinding{Key::kHome, kAlone, false, Verb::kOverview, "overview", "show the whole terrain"},
+    KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top_view", "top view on or off"},
+    KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly", "fly mode on or off"},
+    KeyBinding{key('V'), kAlone, false, Verb::kChase, "follow", "follow the front of a slide, or stop that"},
+    KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "help", "this help"},
+    KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene_panel", "scene panel"},
+    KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics_panel", "physics panel"},
+    KeyBinding{function_key(4), kAlone, false, Verb::kToggleDisplay, "display_panel", "display panel"},
+    KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance_panel",
+               "performance panel"},
+    KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close",
+               "close a list or a panel; else show the menu"},
+    KeyBinding{function_key(9), kAlone, false, Verb::kMenu, "menu", "menu"},
+    KeyBinding{Key::kTab, kAlone, false, Verb::kTogglePanels, "all_panels", "show or hide all panels"},
+    KeyBinding{function_key(10), kAlone, false, Verb::kShare, "share", "share this slide as a web page"},
+    KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full_screen", "full screen on or off"},
+    KeyBinding{key('M'), kAlone, false, Verb::kMute, "sound", "sound on or off"},
+    KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "screenshot", "take a screenshot"},
+    KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit", "quit"},
 };
 
+constexpr std::array<std::string_view, kTools> kToolNames{
+    "pour", "dig", "blast", "sculpt", "smooth", "level", "plant", "house", "net", "road", "lift"};
+
 constexpr std::array kHeldBindings{
-    HeldBinding{key('W'), Held::kForward, "move forward"},
-    HeldBinding{Key::kUp, Held::kForward, "move forward"},
-    HeldBinding{key('S'), Held::kBack, "move back"},
-    HeldBinding{Key::kDown, Held::kBack, "move back"},
-    HeldBinding{key('A'), Held::kLeft, "move left"},
-    HeldBinding{Key::kLeft, Held::kLeft, "move left"},
-    HeldBinding{key('D'), Held::kRight, "move right"},
-    HeldBinding{Key::kRight, Held::kRight, "move right"},
-    HeldBinding{key('E'), Held::kUp, "move up"},
-    HeldBinding{Key::kPageUp, Held::kUp, "move up"},
-    HeldBinding{key('Q'), Held::kDown, "move down"},
-    HeldBinding{Key::kPageDown, Held::kDown, "move down"},
+    HeldBinding{key('W'), Held::kForward, "forward", "move forward"},
+    HeldBinding{Key::kUp, Held::kForward, "forward_too", "move forward"},
+    HeldBinding{key('S'), Held::kBack, "back", "move back"},
+    HeldBinding{Key::kDown, Held::kBack, "back_too", "move back"},
+    HeldBinding{key('A'), Held::kLeft, "left", "move left"},
+    HeldBinding{Key::kLeft, Held::kLeft, "left_too", "move left"},
+    HeldBinding{key('D'), Held::kRight, "right", "move right"},
+    HeldBinding{Key::kRight, Held::kRight, "right_too", "move right"},
+    HeldBinding{key('E'), Held::kUp, "up", "move up"},
+    HeldBinding{Key::kPageUp, Held::kUp, "up_too", "move up"},
+    HeldBinding{key('Q'), Held::kDown, "down", "move down"},
+    HeldBinding{Key::kPageDown, Held::kDown, "down_too", "move down"},
 };
 
 constexpr std::array kGestureBindings{
@@ -117,20 +125,68 @@ std::string_view bare_name(Key key) {
 
 }  // namespace
 
-std::span<const KeyBinding> key_bindings() {
-    static const auto all = [] {
-        std::array<KeyBinding, kTools + kKeyBindings.size()> bindings{};
-        auto next = bindings.begin();
-        for (const ToolInfo& tool : tool_infos())
-            *next++ = {tool.key, kAlone, false, tool.tool, tool.plain->purpose};
-        std::copy(kKeyBindings.begin(), kKeyBindings.end(), next);
-        return bindings;
-    }();
-    return all;
+KeyMap::KeyMap() : holds_(kHeldBindings.begin(), kHeldBindings.end()) {
+    for (const ToolInfo& tool : tool_infos())
+        presses_.push_back({tool.key, kAlone, false, tool.tool,
+                            kToolNames.at(static_cast<std::size_t>(tool.tool)), tool.plain->purpose});
+    presses_.insert(presses_.end(), kKeyBindings.begin(), kKeyBindings.end());
 }
 
-std::span<const HeldBinding> held_bindings() {
-    return kHeldBindings;
+Chord KeyMap::at(std::size_t row) const {
+    if (row >= presses_.size()) return {holds_.at(row - presses_.size()).key, kAlone};
+    return {presses_[row].key, presses_[row].with};
+}
+
+std::string_view KeyMap::name(std::size_t row) const {
+    return row < presses_.size() ? presses_[row].name : holds_.at(row - presses_.size()).name;
+}
+
+std::string_view KeyMap::meaning(std::size_t row) const {
+    return row < presses_.size() ? presses_[row].meaning : holds_.at(row - presses_.size()).meaning;
+}
+
+bool KeyMap::may_change(std::size_t row) const {
+    const Verb* const verb = row < presses_.size() ? std::get_if<Verb>(&presses_[row].does) : nullptr;
+    return !verb || *verb != Verb::kClosePanel;
+}
+
+bool KeyMap::accepts(std::size_t row, Chord chord) const {
+    if (chord.key == Key::kShift || chord.key == Key::kControl || chord.key == Key::kAlt) return false;
+    return row < presses_.size() || chord.with == kAlone;
+}
+
+// A held key acts with Shift too, and then is faster.
+std::optional<std::size_t> KeyMap::conflict(std::size_t row, Chord chord) const {
+    const auto held_with = [](Modifiers with) { return !with.control && !with.alt; };
+    const bool holds = row >= presses_.size();
+    for (std::size_t other = 0; other < size() && chord.key != Key::kNone; ++other) {
+        const Chord its = at(other);
+        if (other == row || its.key != chord.key) continue;
+        const bool other_holds = other >= presses_.size();
+        if (its.with == chord.with || (holds && held_with(its.with)) ||
+            (other_holds && held_with(chord.with)))
+            return other;
+    }
+    return std::nullopt;
+}
+
+void KeyMap::bind(std::size_t row, Chord chord) {
+    while (const auto other = conflict(row, chord)) {
+        if (*other >= presses_.size())
+            holds_[*other - presses_.size()].key = Key::kNone;
+        else
+            presses_[*other].key = Key::kNone, presses_[*other].with = kAlone;
+    }
+    if (row >= presses_.size())
+        holds_.at(row - presses_.size()).key = chord.key;
+    else
+        presses_[row].key = chord.key, presses_[row].with = chord.with;
+}
+
+bool KeyMap::operator==(const KeyMap& other) const {
+    for (std::size_t row = 0; row < size(); ++row)
+        if (at(row) != other.at(row)) return false;
+    return true;
 }
 
 std::span<const GestureBinding> gesture_bindings() {
@@ -155,18 +211,53 @@ std::string name_of(const KeyboardLayout& layout, Key key, Modifiers with) {
     return name;
 }
 
-std::string name_of(const KeyboardLayout& layout, Verb verb) {
-    for (const KeyBinding& binding : kKeyBindings)
-        if (std::get<Verb>(binding.does) == verb) return name_of(layout, binding.key, binding.with);
+std::string text_of(Chord chord) {
+    return chord.key == Key::kNone ? std::string() : name_of({}, chord.key, chord.with);
+}
+
+std::optional<Chord> chord_of(std::string_view text) {
+    Chord chord;
+    if (text.empty()) return chord;
+    const auto takes = [&](std::string_view prefix, bool& held) {
+        held = text.size() > prefix.size() && text.starts_with(prefix);
+        if (held) text.remove_prefix(prefix.size());
+    };
+    takes("Ctrl+", chord.with.control);
+    takes("Alt+", chord.with.alt);
+    takes("Shift+", chord.with.shift);
+    for (int code = 1; code < kKeys; ++code)
+        if (name_of({}, static_cast<Key>(code)) == text) {
+            chord.key = static_cast<Key>(code);
+            return chord;
+        }
+    return std::nullopt;
+}
+
+namespace {
+
+std::string name_of_first(const Keys& keys, std::variant<Verb, Tool> does) {
+    for (const KeyBinding& binding : keys.map.presses())
+        if (binding.does == does && binding.key != Key::kNone)
+            return name_of(keys.layout, binding.key, binding.with);
     return {};
 }
 
-std::string names_of_walking(const KeyboardLayout& layout) {
+}  // namespace
+
+std::string name_of(const Keys& keys, Verb verb) {
+    return name_of_first(keys, verb);
+}
+
+std::string name_of(const Keys& keys, Tool tool) {
+    return name_of_first(keys, tool);
+}
+
+std::string names_of_walking(const Keys& keys) {
     std::string names;
     for (const Held held : {Held::kForward, Held::kLeft, Held::kBack, Held::kRight}) {
-        const auto* const first = std::ranges::find(kHeldBindings, held, &HeldBinding::held);
+        const auto first = std::ranges::find(keys.map.holds(), held, &HeldBinding::held);
         if (!names.empty()) names += ' ';
-        names += layout.name_of(first->key);
+        names += name_of(keys.layout, first->key);
     }
     return names;
 }

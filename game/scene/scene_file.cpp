@@ -1,5 +1,6 @@
 #include "game/scene/scene_file.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHarderThan = "harder_than";
+constexpr const char *kHarderThan = "harder_than", *kAbout = "about", *kDifficulty = "difficulty";
 
 // Adds what `document` does not state itself. Nodes are moved, because a copy would forget its line.
 void complete(toml::table& document, toml::table&& from) {
@@ -37,6 +38,20 @@ Outcome<fs::path> easier_scene(const std::string& name, const fs::path& file) {
                                 beside.filename().string()));
 }
 
+// Takes what is for people out of the document, so that only the world is left.
+void take_words(SceneFile& scene, TomlTable& root) {
+    scene.about = root.text(kAbout);
+    if (scene.about && scene.about->size() > SceneFile::kMostAbout)
+        root.blame(kAbout, fmt::format("has more than {} bytes", SceneFile::kMostAbout));
+    scene.difficulty = root.whole(kDifficulty, 1, SceneFile::kHardest);
+    if (scene.difficulty && !scene.harder_than && !root.has("goal"))
+        root.blame(kDifficulty, "is of a challenge, but the scene has no [goal]");
+}
+
+void erase_words(toml::table& document) {
+    for (const char* key : {kHarderThan, kAbout, kDifficulty}) document.erase(key);
+}
+
 }  // namespace
 
 Outcome<SceneFile> read_scene_file(const fs::path& file) {
@@ -46,8 +61,12 @@ Outcome<SceneFile> read_scene_file(const fs::path& file) {
     TomlFault fault;
     TomlTable root(scene.document, "", file.string(), fault);
     scene.harder_than = root.text(kHarderThan);
+    take_words(scene, root);
     if (fault) return unusable(*fault);
-    if (!scene.harder_than) return scene;
+    if (!scene.harder_than) {
+        erase_words(scene.document);
+        return scene;
+    }
 
     const auto blamed = [&](const std::string& fact) {
         root.blame(kHarderThan, fact);
@@ -62,8 +81,10 @@ Outcome<SceneFile> read_scene_file(const fs::path& file) {
     if (!other->contains("goal"))
         return blamed(fmt::format("is \"{}\", which is no challenge", *scene.harder_than));
     scene.files.push_back(*easier);
-    scene.document.erase(kHarderThan);
+    const auto easier_by = (*other)[kDifficulty].value<std::int64_t>();
+    if (!scene.difficulty && easier_by) scene.difficulty = std::min(*easier_by + 1, SceneFile::kHardest);
     complete(scene.document, std::move(*other));
+    erase_words(scene.document);
     return scene;
 }
 

@@ -240,7 +240,7 @@ void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     what_is_left(desk, *facts.scenario.goal, *facts.goal_use);
     if (facts.clock.paused() && !facts.goal_events.empty()) {
         desk.widgets.plain("Time stands still. Look around and get ready, then press %s",
-                           name_of(facts.keyboard, Verb::kPauseOrGoOn).c_str());
+                           name_of(facts.keys, Verb::kPauseOrGoOn).c_str());
         desk.widgets.note("Ready");
     }
     if (facts.ghost) {

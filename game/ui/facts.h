@@ -19,7 +19,7 @@
 #include "game/controls/frame_times.h"
 #include "game/controls/guide.h"
 #include "game/controls/image_size.h"
-#include "game/controls/keyboard.h"
+#include "game/controls/key_map.h"
 #include "game/controls/notices.h"
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
@@ -147,7 +147,7 @@ struct Facts {
     const FrameTimes& times;
     const Notices& notices;
     const Catalogue& catalogue;
-    const KeyboardLayout& keyboard;  // which names the keys
+    Keys keys;  // and their names
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
     bool is_bare() const {

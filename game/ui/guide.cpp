@@ -16,7 +16,7 @@ struct Words {
     std::array<char, 160> text;
 };
 
-Words words_of(Guide::Step step, const KeyboardLayout& keyboard) {
+Words words_of(Guide::Step step, const Keys& keys) {
     Words words{"", {}};
     const auto say = [&](const char* heading, const char* format, const std::string& key) {
         words.heading = heading;
@@ -27,14 +27,14 @@ Words words_of(Guide::Step step, const KeyboardLayout& keyboard) {
             say("Your turn", "Click on the snow, high up.", "");
             break;
         case Guide::Step::kRewind:
-            say("Too much?", "Press %s: time runs back.", name_of(keyboard, Verb::kRunBack));
+            say("Too much?", "Press %s: time runs back.", name_of(keys, Verb::kRunBack));
             break;
         case Guide::Step::kGoOn:
-            say("Far enough?", "Press %s to go on from here.", name_of(keyboard, Verb::kTakeOver));
+            say("Far enough?", "Press %s to go on from here.", name_of(keys, Verb::kTakeOver));
             break;
         case Guide::Step::kPour:
             say("Now pour", "Press %s, then hold the left button and drag along the ridge.",
-                name_of(keyboard, info_of(Tool::kPour).key));
+                name_of(keys, Tool::kPour));
             break;
         case Guide::Step::kChallenge:
             say("A challenge", "One shovel of snow: how far can you make it run?", "");
@@ -130,7 +130,7 @@ void bare_ground(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(CoverGround{kCover});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("or pour some: tool %s.", name_of(facts.keyboard, info_of(Tool::kPour).key).c_str());
+    ImGui::Text("or pour some: tool %s.", name_of(facts.keys, Tool::kPour).c_str());
     desk.lower_edge = ImGui::GetWindowPos().y;
     desk.widgets.keep_window_clear("Cover");
     ImGui::End();
@@ -140,7 +140,7 @@ void guide(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.guide || !facts.guide->speaks() || facts.is_bare() || desk.panels.is_open(Panel::kHelp))
         return;
     if (facts.card && desk.narrow()) return;  // it needs the room
-    const Words words = words_of(facts.guide->step(), facts.keyboard);
+    const Words words = words_of(facts.guide->step(), facts.keys);
     const bool asks = facts.guide->step() == Guide::Step::kChallenge;
     const float em = desk.em();
     ImGui::SetNextWindowPos({desk.size.x / 2, desk.time_bar_top - desk.margin()}, ImGuiCond_Always,

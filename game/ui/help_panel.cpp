@@ -60,14 +60,16 @@ void mouse(Desk& desk, Table& table) {
     }
 }
 
-void held_keys(Desk& desk, Table& table, const KeyboardLayout& keyboard) {
+void held_keys(Desk& desk, Table& table, const Keys& keys) {
     desk.widgets.heading("Held keys");
-    const auto held = held_bindings();
+    const auto held = keys.map.holds();
+    const auto cap = [&](Key key) {
+        if (key != Key::kNone) table.cap(name_of(keys.layout, key).c_str());
+    };
     for (std::size_t i = 0; i < held.size(); ++i) {
         table.begin();
-        table.cap(name_of(keyboard, held[i].key).c_str());
-        while (i + 1 < held.size() && held[i + 1].held == held[i].held)
-            table.cap(name_of(keyboard, held[++i].key).c_str());
+        cap(held[i].key);
+        while (i + 1 < held.size() && held[i + 1].held == held[i].held) cap(held[++i].key);
         table.meaning(held[i].meaning);
     }
 }
@@ -81,31 +83,31 @@ Section section_of(const KeyBinding& binding) {
     return *verb >= Verb::kOverview && *verb <= Verb::kTogglePanels ? Section::kView : Section::kRest;
 }
 
-void keys(Desk& desk, Table& table, const KeyboardLayout& keyboard, const char* heading, Section section) {
+void pressed_keys(Desk& desk, Table& table, const Keys& keys, const char* heading, Section section) {
     desk.widgets.heading(heading);
-    for (const KeyBinding& binding : key_bindings()) {
+    for (const KeyBinding& binding : keys.map.presses()) {
         if (section_of(binding) != section) continue;
         table.begin();
-        table.cap(name_of(keyboard, binding.key, binding.with).c_str());
+        if (binding.key != Key::kNone) table.cap(name_of(keys.layout, binding.key, binding.with).c_str());
         table.meaning(binding.meaning);
     }
 }
 
 }  // namespace
 
-void help_panel(Desk& desk, const KeyboardLayout& keyboard) {
+void help_panel(Desk& desk, const Keys& keys) {
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
     Table table(desk, 8.4f * em);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.05f});
     const int columns = width >= kThreeColumns * em ? 3 : width >= kTwoColumns * em ? 2 : 1;
     if (columns > 1) ImGui::Columns(columns, "help", false);
     mouse(desk, table);
-    keys(desk, table, keyboard, "View and panels", Section::kView);
+    pressed_keys(desk, table, keys, "View and panels", Section::kView);
     if (columns > 1) ImGui::NextColumn();
-    keys(desk, table, keyboard, "Tools", Section::kTools);
-    held_keys(desk, table, keyboard);
+    pressed_keys(desk, table, keys, "Tools", Section::kTools);
+    held_keys(desk, table, keys);
     if (columns > 2) ImGui::NextColumn();
-    keys(desk, table, keyboard, "Time and program", Section::kRest);
+    pressed_keys(desk, table, keys, "Time and program", Section::kRest);
     if (columns > 1) ImGui::Columns(1);
     ImGui::PopStyleVar();
 }

@@ -138,6 +138,14 @@ void draw_panel(const Pen& pen, Icon icon) {
             return pen.box(0.4f, -0.3f, 0.85f, 0.8f);
         case Icon::kHelp:
             return pen.text("?");
+        case Icon::kLeft:
+            return pen.path({{0.35f, -0.7f}, {-0.35f, 0}, {0.35f, 0.7f}});
+        case Icon::kMenu:
+            for (const float y : {-0.55f, 0.f, 0.55f}) pen.line(-0.75f, y, 0.75f, y);
+            return;
+        case Icon::kLock:
+            pen.arc(0, -0.2f, 0.42f, -kPi, 0);
+            return pen.box(-0.7f, -0.15f, 0.7f, 0.85f);
         default:  // close
             pen.line(-0.6f, -0.6f, 0.6f, 0.6f);
             return pen.line(-0.6f, 0.6f, 0.6f, -0.6f);

@@ -24,6 +24,9 @@ enum class Icon {
     kPerformance,
     kHelp,
     kClose,
+    kLeft,
+    kMenu,
+    kLock,
 };
 
 // Draws an icon within a square of `size` px around `centre`.

@@ -91,11 +91,11 @@ void hint(Desk& desk, const Facts& facts) {
     if (!sim::at_rest(facts.state) && !facts.scenario.flow)
         return;  // what moves by itself is looked at first
     std::array<char, 256> text;
-    const std::string keys = name_of(facts.keyboard, Verb::kToggleHelp);
+    const std::string keys = name_of(facts.keys, Verb::kToggleHelp);
     if (facts.scenario.flow)
         std::snprintf(text.data(), text.size(),
                       "Flow demo: press %s to change its speeds, %s to show all keys.",
-                      name_of(facts.keyboard, Verb::kToggleDisplay).c_str(), keys.c_str());
+                      name_of(facts.keys, Verb::kToggleDisplay).c_str(), keys.c_str());
     else
         std::snprintf(text.data(), text.size(),
                       "Hold the left button on the terrain to %s. Press %s to show all keys.",

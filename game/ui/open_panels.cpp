@@ -25,7 +25,7 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
         case Panel::kPerformance:
             return performance_panel(desk, facts);
         case Panel::kHelp:
-            return help_panel(desk, facts.keyboard);
+            return help_panel(desk, facts.keys);
     }
 }
 
@@ -95,6 +95,10 @@ void OpenPanels::toggle(Panel panel) {
     open = hidden_ || !open;  // a hidden panel counts as closed
     hidden_ = false;
     if (open) last_ = panel;
+}
+
+bool OpenPanels::any_open() const {
+    return !hidden_ && std::ranges::find(open_, true) != open_.end();
 }
 
 void OpenPanels::close_one() {

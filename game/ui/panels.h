@@ -6,6 +6,7 @@
 #include "game/controls/action.h"
 #include "game/ui/card_map.h"
 #include "game/ui/facts.h"
+#include "game/ui/menu.h"
 #include "game/ui/scene_pictures.h"
 #include "game/ui/widgets.h"
 
@@ -38,6 +39,7 @@ class OpenPanels {
     bool hidden() const { return hidden_; }
     void toggle(Panel panel);
     void toggle_all() { hidden_ = !hidden_; }
+    bool any_open() const;
     void close_one();  // the help, which is on top, else the one opened last, else any
     void keep_only_last();
 
@@ -63,13 +65,13 @@ struct Desk {
     ScenePictures pictures;
     CardMap card_map;
     OpenPanels panels;
+    Menu menu;
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected
     ImVec2 size{1280, 720};           // of the screen, px
     double usual_em = 16;             // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
-    float scenes_top = 0;        // of the list in the scene panel, px on the screen if it were not scrolled
     float card_without_map = 0;  // height of the result card, as if it had no map
     float readings_height = 0;   // kept while the cursor is off the terrain, so that panels do not move
     float left_column = 0, right_column = 0;  // width with margin; 0 if none of its panels is open
@@ -92,7 +94,8 @@ void dam(Desk& desk, const Facts& facts);
 void run_ends(Desk& desk, const Facts& facts);
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
-void opening(Desk& desk, const Facts& facts);  // instead of all others
+void opening(Desk& desk, const Facts& facts);                 // instead of all others
+void menu(Desk& desk, const Facts& facts, Actions& actions);  // instead of all others, while it is open
 void guide(Desk& desk, const Facts& facts, Actions& actions);
 void result_card(Desk& desk, const Facts& facts, Actions& actions);
 
@@ -101,7 +104,7 @@ void scene_panel(Desk& desk, const Facts& facts, Actions& actions);
 void physics_panel(Desk& desk, const Facts& facts, Actions& actions);
 void display_panel(Desk& desk, const Facts& facts, Actions& actions);
 void performance_panel(Desk& desk, const Facts& facts);
-void help_panel(Desk& desk, const KeyboardLayout& keyboard);
+void help_panel(Desk& desk, const Keys& keys);
 void open_panels(Desk& desk, const Facts& facts, Actions& actions);
 
 // A window without frame and title that cannot be moved.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <utility>
 
 #include "game/analysis/score.h"
 #include "game/ui/panels.h"
@@ -83,41 +82,6 @@ Open begin_of(const SceneChoice& choice, const Facts& facts) {
     return open;
 }
 
-// A harder challenge is listed once the other one was won in gold, or it was played itself.
-bool waits_for_gold(const Catalogue::Entry& entry, const Facts& facts) {
-    if (entry.harder_than.empty() || entry.best || entry.name == facts.scenario.scene) return false;
-    const auto& scenes = facts.catalogue.scenes;
-    const auto easier = std::ranges::find(scenes, entry.harder_than, &Catalogue::Entry::name);
-    return easier != scenes.end() && (!easier->best || easier->best->medal < kGold);
-}
-
-// A row for each scene of a kind, which starts it.
-void scenes_of_kind(Desk& desk, const char* heading, Catalogue::Kind kind, const Facts& facts,
-                    Actions& actions) {
-    const auto& scenes = facts.catalogue.scenes;
-    if (std::ranges::find(scenes, kind, &Catalogue::Entry::kind) == scenes.end()) return;
-    desk.widgets.heading(heading);
-    for (const Catalogue::Entry& entry : scenes) {
-        if (entry.kind != kind || waits_for_gold(entry, facts)) continue;
-        std::array<char, 24> score{};
-        Widgets::ListRow row{.label = entry.title.c_str()};
-        if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
-            row.picture = picture->texture, row.from = picture->from, row.to = picture->to;
-        if (entry.best) {
-            std::snprintf(score.data(), score.size(), "%lld", static_cast<long long>(entry.best->score));
-            row.medal = entry.best->medal, row.note = score.data();
-        }
-        if (desk.widgets.list_row(row, "Starts this scene; the current session stays in its recording.",
-                                  entry.name == facts.scenario.scene))
-            actions.emplace_back(Open{entry.name, {}});
-        if (!entry.best) continue;
-        std::array<char, 64> medal{};
-        std::snprintf(medal.data(), medal.size(), "%s: %s", entry.title.c_str(),
-                      medal_name(entry.best->medal));
-        desk.widgets.note(medal.data());
-    }
-}
-
 // A list of the runs of the challenge that is open; the one that is chosen is played.
 void best_runs_of_challenge(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.best_runs.empty()) return;
@@ -167,21 +131,6 @@ void what_to_begin(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(begin_of(choice, facts));
 }
 
-// Lists all recordings except the one being written.
-void recordings(Desk& desk, const char* heading, const std::vector<Catalogue::Entry>& entries,
-                std::string_view being_written, Actions& actions) {
-    const auto open = [&](const Catalogue::Entry& entry) { return entry.file.native() != being_written; };
-    if (std::none_of(entries.begin(), entries.end(), open)) return;
-    desk.widgets.heading(heading);
-    for (const Catalogue::Entry& entry : entries) {
-        if (!open(entry)) continue;
-        std::array<char, 96> label;
-        std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
-        if (desk.widgets.button(label.data(), entry.title.c_str(), false, ImGui::GetContentRegionAvail().x))
-            actions.emplace_back(Open{entry.file.string(), {}});
-    }
-}
-
 // Keeps the world as it stands as a scene of the user's own.
 void save_world(Desk& desk, const Facts& facts, Actions& actions) {
     const char* const obstacle =
@@ -197,28 +146,6 @@ void save_world(Desk& desk, const Facts& facts, Actions& actions) {
             false, ImGui::GetContentRegionAvail().x))
         actions.emplace_back(SaveWorld{});
     ImGui::EndDisabled();
-}
-
-// What the user has saved of a kind; the one that is chosen is opened.
-void own_worlds_of(Desk& desk, const char* heading, Catalogue::Kind kind, const char* tooltip,
-                   const Facts& facts, Actions& actions) {
-    const auto& worlds = facts.catalogue.worlds;
-    if (std::ranges::find(worlds, kind, &Catalogue::Entry::kind) == worlds.end()) return;
-    desk.widgets.heading(heading);
-    for (const Catalogue::Entry& entry : worlds)
-        if (entry.kind == kind &&
-            desk.widgets.button(entry.name.c_str(), tooltip, entry.name == facts.scenario.scene,
-                                ImGui::GetContentRegionAvail().x))
-            actions.emplace_back(Open{entry.file.string(), {}});
-}
-
-// What comes, goes or grows above the list of scenes, such as the title of another scene, scrolls the panel, so that
-// each row stays where it is on the screen.
-void keep_rows_in_place(Desk& desk) {
-    const float scrolled = ImGui::GetScrollY(), top = ImGui::GetCursorScreenPos().y + scrolled;
-    const float before = std::exchange(desk.scenes_top, top);
-    if (!ImGui::IsWindowAppearing() && before > 0 && top != before)
-        ImGui::SetScrollY(scrolled + top - before);
 }
 
 void hints(Desk& desk, const Facts& facts, Actions& actions) {
@@ -238,22 +165,14 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
     desk.widgets.plain("%s", facts.scenario.title.c_str());
+    if (desk.widgets.button("Other scenes", "Shows all scenes, challenges and recordings in the menu.", true,
+                            ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(Verb::kMenu);
     hints(desk, facts, actions);
     save_world(desk, facts, actions);
     best_runs_of_challenge(desk, facts, actions);
-    own_worlds_of(desk, "Your challenges, newest first", Catalogue::Kind::kChallenge,
-                  "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
-    own_worlds_of(desk, "Your worlds, newest first", Catalogue::Kind::kMountain,
-                  "Starts in this world; the current session stays in its recording.", facts, actions);
-    keep_rows_in_place(desk);
-    scenes_of_kind(desk, "Challenges", Catalogue::Kind::kChallenge, facts, actions);
-    scenes_of_kind(desk, "Mountains", Catalogue::Kind::kMountain, facts, actions);
-    scenes_of_kind(desk, "Flow demos", Catalogue::Kind::kFlowDemo, facts, actions);
-    what_to_begin(desk, facts, actions);
-    recordings(desk, "Watch a recording and continue from its end", facts.catalogue.recordings,
-               facts.recording, actions);
-    recordings(desk, "Your recordings, newest first", facts.catalogue.own, facts.recording, actions);
     what_is_loaded(desk, facts);
+    what_to_begin(desk, facts, actions);
     sharing(desk, facts, actions);
     ImGui::Dummy({0, desk.em() * 0.2f});
     desk.widgets.dim("You can also drop a scene, a terrain file or a recording onto the window.");

@@ -8,7 +8,24 @@
 namespace game::ui {
 namespace {
 
-constexpr int kPictureWidth = Catalogue::kPictureWidth, kPictureHeight = Catalogue::kPictureHeight;
+constexpr int kFiner = 2;  // than in the texture
+constexpr int kPictureWidth = Catalogue::kPictureWidth / kFiner,
+              kPictureHeight = Catalogue::kPictureHeight / kFiner, kChannels = 3;
+
+// Appends the mean of each square of kFiner by kFiner texels.
+void append_halved(const render::Texels& picture, std::vector<std::uint8_t>& texels) {
+    const auto at = [&](int x, int y, int channel) {
+        return picture.values[static_cast<std::size_t>((y * picture.width + x) * kChannels + channel)];
+    };
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x)
+            for (int channel = 0; channel < kChannels; ++channel) {
+                int sum = 0;
+                for (int v = 0; v < kFiner; ++v)
+                    for (int u = 0; u < kFiner; ++u) sum += at(kFiner * x + u, kFiner * y + v, channel);
+                texels.push_back(static_cast<std::uint8_t>(sum / (kFiner * kFiner)));
+            }
+}
 
 }  // namespace
 
@@ -23,10 +40,12 @@ Outcome<ScenePictures::Atlas> ScenePictures::read_all(const std::vector<Catalogu
     for (const Catalogue::Entry& scene : scenes) {
         if (stopped || atlas.scenes.size() == kMost) break;
         std::filesystem::path file = scene.file;
-        const auto picture = render::read_png(file.replace_extension(".png"), 3);
-        if (!picture || picture->width != kPictureWidth || picture->height != kPictureHeight) continue;
+        const auto picture = render::read_jpeg(file.replace_extension(".jpg"), kChannels);
+        if (!picture || picture->width != Catalogue::kPictureWidth ||
+            picture->height != Catalogue::kPictureHeight)
+            continue;
         atlas.scenes.push_back(scene.name);
-        atlas.texels.insert(atlas.texels.end(), picture->values.begin(), picture->values.end());
+        append_halved(*picture, atlas.texels);
     }
     return atlas;
 }

@@ -16,7 +16,7 @@
 
 namespace game::ui {
 
-// The pictures of the scenes that ship, NAME.png beside NAME.toml, in one texture. They are read on a thread; until then,
+// The pictures of the scenes that ship, NAME.jpg beside NAME.toml, in one texture at half their size. They are read on a thread; until then,
 // and if one is missing or has another size, its scene has none.
 class ScenePictures {
   public:

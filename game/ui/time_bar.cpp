@@ -18,7 +18,7 @@ constexpr int kUsual = 3;  // index of 1 ×
 bool verb_button(Desk& desk, const Facts& facts, const char* label, Icon icon, Verb verb, const char* text,
                  bool on = false) {
     std::array<char, 128> tooltip;
-    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(facts.keyboard, verb).c_str(), text);
+    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(facts.keys, verb).c_str(), text);
     return desk.widgets.icon_button(label, icon, tooltip.data(), on);
 }
 

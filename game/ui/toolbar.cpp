@@ -58,7 +58,7 @@ void each_tool(Desk& desk, const Facts& facts, bool wordless, const Button& butt
     const ToolInfo* before = nullptr;
     for (const ToolInfo& info : tool_infos()) {
         if (!is_there(info, facts)) continue;
-        const std::string key = desk.narrow() ? std::string() : name_of(facts.keyboard, info.key);
+        const std::string key = desk.narrow() ? std::string() : name_of(facts.keys, info.tool);
         float width = 0;  // the same with every key that may be held, so that no button moves
         for (const Deed* deed : {info.plain, info.control, info.shift})
             width = std::max(width, desk.widgets.tool_button_width(deed->label, key.c_str(), wordless));
@@ -82,7 +82,7 @@ void tools(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow
         const Deed& deed = shown(info, facts);
         std::array<char, 160> text;
         std::snprintf(text.data(), text.size(), "%s (%s). %s", info.plain->label,
-                      name_of(facts.keyboard, info.key).c_str(), info.tooltip);
+                      name_of(facts.keys, info.tool).c_str(), info.tooltip);
         if (desk.widgets.tool_button(deed.label, deed.icon, key, text.data(), info.tool == facts.brush.tool,
                                      wordless, width))
             actions.emplace_back(info.tool);
@@ -241,21 +241,26 @@ void options(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Fl
     ImGui::EndDisabled();
 }
 
+// With that of the menu.
 float width_of_panel_buttons() {
-    return kPanels * ImGui::GetFrameHeight() * 1.2f + (kPanels - 1) * ImGui::GetStyle().ItemSpacing.x;
+    return (kPanels + 1) * ImGui::GetFrameHeight() * 1.2f + kPanels * ImGui::GetStyle().ItemSpacing.x;
 }
 
-void panel_buttons(Desk& desk, const Facts& facts, Flow& flow) {
+void panel_buttons(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     const float width = width_of_panel_buttons();
     flow.next(width, std::max(2 * desk.em(), flow.left() - width - 1));
     for (const PanelInfo& info : kPanelInfos) {
         std::array<char, 96> text;
         std::snprintf(text.data(), text.size(), "%s (%s). %s", info.title,
-                      name_of(facts.keyboard, info.verb).c_str(), info.tooltip);
-        if (info.panel != Panel::kScene) ImGui::SameLine();
+                      name_of(facts.keys, info.verb).c_str(), info.tooltip);
         if (desk.widgets.icon_button(info.title, info.icon, text.data(), desk.panels.is_open(info.panel)))
             desk.panels.toggle(info.panel);
+        ImGui::SameLine();
     }
+    std::array<char, 96> text;
+    std::snprintf(text.data(), text.size(), "Menu (%s). Scenes, challenges, recordings and settings.",
+                  name_of(facts.keys, Verb::kClosePanel).c_str());
+    if (desk.widgets.icon_button("Menu", Icon::kMenu, text.data())) actions.emplace_back(Verb::kMenu);
 }
 
 void past(Desk& desk, const Facts& facts, Actions& actions) {
@@ -266,7 +271,7 @@ void past(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     std::array<char, 96> text;
     std::snprintf(text.data(), text.size(), "%s: continues from this tick in a new recording.",
-                  name_of(facts.keyboard, Verb::kTakeOver).c_str());
+                  name_of(facts.keys, Verb::kTakeOver).c_str());
     if (desk.widgets.button("Continue from here", text.data())) actions.emplace_back(Verb::kTakeOver);
 }
 
@@ -289,7 +294,7 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::BeginDisabled(facts.looks_back());
     tools(desk, facts, wordless, actions, flow);
     ImGui::EndDisabled();
-    panel_buttons(desk, facts, flow);
+    panel_buttons(desk, facts, actions, flow);
     if (width(wordless) <= most) flow.new_row();
     // A small window has no room for what cannot be used.
     if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, flow);

@@ -145,22 +145,45 @@ bool Ui::keeps_keys() const {
     return ImGui::GetIO().WantTextInput;
 }
 
+void Ui::begin_menu() {
+    parts_->desk.menu.show();
+    parts_->desk.menu.begins = true;
+}
+
+void Ui::close_menu() {
+    parts_->desk.menu.close();
+}
+
+bool Ui::shows_menu() const {
+    return parts_->desk.menu.open;
+}
+
 bool Ui::perform(Verb verb) {
     OpenPanels& panels = parts_->desk.panels;
     if (verb == Verb::kTogglePanels) {
         panels.toggle_all();
         return true;
     }
+    Menu& menu = parts_->desk.menu;
     if (verb == Verb::kClosePanel) {
         if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
             parts_->desk.widgets.close_choice();
-        else
+        else if (menu.open)
+            menu.back();
+        else if (panels.any_open())
             panels.close_one();
+        else
+            menu.show();
+        return true;
+    }
+    if (verb == Verb::kMenu) {
+        menu.open ? menu.close() : menu.show();
         return true;
     }
     const auto info = std::find_if(std::begin(kPanelInfos), std::end(kPanelInfos),
                                    [verb](const PanelInfo& each) { return each.verb == verb; });
     if (info == std::end(kPanelInfos)) return false;
+    if (menu.open) menu.close();
     panels.toggle(info->panel);
     return true;
 }
@@ -174,6 +197,8 @@ void Ui::build(const Facts& facts, Actions& actions) {
     desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));
     if (facts.opening_s) {
         opening(desk, facts);
+    } else if (desk.menu.open) {
+        menu(desk, facts, actions);
     } else if (!desk.panels.hidden()) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);

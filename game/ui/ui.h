@@ -29,8 +29,13 @@ class Ui {
     bool keeps_mouse() const;  // the cursor is over a panel
     bool keeps_keys() const;   // a number is being typed
 
-    // Opens and closes panels. Returns false for other verbs.
+    // Opens and closes panels and the menu. Returns false for other verbs.
     bool perform(Verb verb);
+
+    // The menu, over everything else; time is to stand still behind it.
+    void begin_menu();  // as the first thing that is seen
+    void close_menu();
+    bool shows_menu() const;
 
     // Starts to read the pictures of these scenes for the list of scenes.
     void read_pictures(const std::vector<Catalogue::Entry>& scenes);

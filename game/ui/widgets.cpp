@@ -226,29 +226,44 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     return pressed;
 }
 
-bool Widgets::list_row(const ListRow& row, const char* text, bool on) {
-    const float side = em * 3, width = ImGui::GetContentRegionAvail().x, gap = em * 0.6f,
-                rounding = ImGui::GetStyle().FrameRounding, small = letters.small->FontSize;
-    const bool pressed = plate(row.label, {width, side}, on);
-    const ImVec2 from = ImGui::GetItemRectMin(), picture_to{from.x + side * 16 / 9, from.y + side};
+bool Widgets::menu_button(const char* label, const char* note, bool on, float width) {
+    const float small = letters.small->FontSize, left = em * 0.9f, high = em * 2.7f;
+    const bool pressed = plate(label, {width, high}, on);
+    const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 colour = alive(colour_on_plate(on));
-    if (row.picture)
-        list.AddImageRounded(row.picture, from, picture_to, row.from, row.to, alive(IM_COL32_WHITE), rounding,
-                             ImDrawFlags_RoundCornersLeft);
-    const float left = picture_to.x + gap, wide = from.x + width - gap - left;
-    const float words = ImGui::CalcTextSize(row.label, nullptr, false, wide).y,
-                below = row.medal >= 0 ? em * 1.15f : 0, top = from.y + (side - words - below) / 2;
-    list.PushClipRect(from, {from.x + width, from.y + side}, true);
-    list.AddText(nullptr, 0, {left, top}, colour, row.label, nullptr, wide);
-    if (row.medal >= 0) {
-        const float middle = top + words + below * 0.55f;
-        draw_stars(list, row.medal, {left, middle}, em, colour);
-        list.AddText(letters.small, small, {left + kStarsWidth * em + gap, middle - small / 2}, colour,
-                     row.note);
-    }
+    const float gap = em * 0.1f, top = from.y + (high - em - gap - small) / 2;
+    list.PushClipRect(from, {from.x + width - left / 2, from.y + high}, true);
+    list.AddText({from.x + left, top}, alive(colour_on_plate(on)), label);
+    list.AddText(letters.small, small, {from.x + left, top + em + gap},
+                 alive(on ? faded(kAccentText, 0.8f) : kDimText), note);
     list.PopClipRect();
-    tooltip(text);
+    return pressed;
+}
+
+bool Widgets::card(const Card& card, ImVec2 size, bool on) {
+    const float rounding = ImGui::GetStyle().FrameRounding, small = letters.small->FontSize, pad = em * 0.5f,
+                high = size.x * 9 / 16;
+    const bool pressed = plate(card.label, size, on);
+    const ImVec2 from = ImGui::GetItemRectMin(), to{from.x + size.x, from.y + size.y},
+                 picture_to{to.x, from.y + high};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (card.picture)
+        list.AddImageRounded(card.picture, from, picture_to, card.from, card.to,
+                             alive(card.is_closed ? IM_COL32(110, 115, 125, 255) : IM_COL32_WHITE), rounding,
+                             ImDrawFlags_RoundCornersTop);
+    if (card.is_closed)
+        draw_icon(list, Icon::kLock, {(from.x + to.x) / 2, from.y + high / 2}, em * 1.6f, alive(kText));
+    const ImU32 colour = alive(colour_on_plate(on));
+    list.PushClipRect(from, {to.x - pad / 2, to.y}, true);
+    list.AddText(nullptr, 0, {from.x + pad, picture_to.y + pad * 0.6f}, colour, card.label, nullptr,
+                 size.x - 2 * pad);
+    const float middle = to.y - em * 0.75f;
+    if (card.medal >= 0) draw_stars(list, card.medal, {from.x + pad, middle}, em, colour);
+    list.AddText(letters.small, small,
+                 {from.x + pad + (card.medal >= 0 ? (kStarsWidth + 0.4f) * em : 0), middle - small / 2},
+                 faded(colour, 0.8f), card.note);
+    list.PopClipRect();
+    if (on) list.AddRect(from, to, kAccent, rounding, 0, std::max(2.f, em / 8));
     return pressed;
 }
 

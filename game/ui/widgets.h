@@ -83,16 +83,20 @@ class Widgets {
                      bool on, bool narrow, float width);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
-    // A button over the whole width of a list, with a picture of 16 : 9 at the left. `medal`: of the stars below the label,
-    // 0 none to 3 gold; −1: no stars.
-    struct ListRow {
+    // A large button of the menu, with a line of small letters below its label.
+    bool menu_button(const char* label, const char* note, bool on, float width);
+
+    // A button with a picture of 16 : 9 above its label. `medal`: of the stars below the label, 0 none to 3 gold; −1: no
+    // stars.
+    struct Card {
         const char* label;
         int medal = -1;
-        const char* note = "";  // beside the stars
+        const char* note = "";   // beside the stars
+        bool is_closed = false;  // greyed, with a lock
         ImTextureID picture = nullptr;
         ImVec2 from = {}, to = {};  // texture coordinates of its top left and bottom right
     };
-    bool list_row(const ListRow& row, const char* tooltip, bool on = false);
+    bool card(const Card& card, ImVec2 size, bool on);
 
     bool toggle(const char* label, bool& on, const char* tooltip);
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);

@@ -29,11 +29,12 @@ tl::expected<std::vector<unsigned char>, std::string> encode_png(const Picture& 
 
 static constexpr int kLargest = 4096;  // texels along an edge
 
-tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, int channels) {
+static tl::expected<Texels, std::string> read_texels(const char* format, const std::filesystem::path& path,
+                                                     int channels) {
     const auto unusable = [&](const std::string& fact) {
         return tl::unexpected(fmt::format("{}: {}", path.string(), fact));
     };
-    const auto input = OIIO::ImageInput::create("png");
+    const auto input = OIIO::ImageInput::create(format);
     OIIO::ImageSpec spec;
     if (!input || !input->open(path.string(), spec))
         return unusable(input ? input->geterror() : OIIO::geterror());
@@ -52,10 +53,18 @@ tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, in
     return texels;
 }
 
+tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, int channels) {
+    return read_texels("png", path, channels);
+}
+
+tl::expected<Texels, std::string> read_jpeg(const std::filesystem::path& path, int channels) {
+    return read_texels("jpeg", path, channels);
+}
+
 }  // namespace render
 
 // png_door.cpp finds this symbol by name.
 extern "C" {
 [[gnu::visibility("default")]] extern const render::PngDoor couloir_png;
-const render::PngDoor couloir_png{render::encode_png, render::read_png};
+const render::PngDoor couloir_png{render::encode_png, render::read_png, render::read_jpeg};
 }

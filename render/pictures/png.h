@@ -9,7 +9,7 @@
 
 #include "render/pictures/picture.h"
 
-// Reads and writes PNG images. OpenImageIO depends on over two hundred libraries, so a separate module links
+// Reads and writes PNG images, and reads JPEG ones. OpenImageIO depends on over two hundred libraries, so a separate module links
 // it and is loaded on the first call. The real functions are in png.cpp; png_door.cpp calls them for all
 // others.
 namespace render {
@@ -30,10 +30,13 @@ struct Texels {
 // Reads a PNG with the given number of 8-bit channels, up to 4096 texels along an edge. An error is one
 // sentence that names the file.
 tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, int channels);
+// The same of a JPEG file.
+tl::expected<Texels, std::string> read_jpeg(const std::filesystem::path& path, int channels);
 
 struct PngDoor {
     decltype(&render::encode_png) encode_png;
     decltype(&render::read_png) read_png;
+    decltype(&render::read_jpeg) read_jpeg;
 };
 
 }  // namespace render

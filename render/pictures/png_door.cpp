@@ -22,4 +22,8 @@ tl::expected<Texels, std::string> read_png(const std::filesystem::path& path, in
     return door().read_png(path, channels);
 }
 
+tl::expected<Texels, std::string> read_jpeg(const std::filesystem::path& path, int channels) {
+    return door().read_jpeg(path, channels);
+}
+
 }  // namespace render

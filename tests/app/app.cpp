@@ -229,9 +229,10 @@ TEST_F(Playing, shows_what_the_hand_does_within_two_frames) {
 TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     screen_.resize_to(1280, 720);  // room for more than one panel
     begin();
+    const KeyMap map;
     for (const Verb verb :
          {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance})
-        for (const KeyBinding& binding : key_bindings())
+        for (const KeyBinding& binding : map.presses())
             if (binding.does == std::variant<Verb, Tool>(verb)) tap(binding.key, binding.with);
     screen_.move(640, 330);
     frames(1);
@@ -1669,15 +1670,17 @@ TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_
 }
 
 TEST_F(Playing, reads_the_pictures_of_scenes_and_does_without_those_that_are_missing_or_of_another_size) {
-    const auto put = [&](const char* name, int width, int height) {
-        const std::size_t bytes = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        ASSERT_TRUE(render::write_png({width, height, std::vector<std::uint8_t>(bytes, 90)},
-                                      folder_.path() / (std::string(name) + ".png")));
+    const auto put = [&](const char* name, bool is_wider) {
+        std::string bytes = read_text(support::source_dir() / "assets/scenes/flow-disc.jpg").value();
+        constexpr std::string_view kFrameHeader("\xff\xc0", 2);
+        constexpr std::size_t kWidth = 7;  // bytes after it, most significant first
+        bytes.at(bytes.find(kFrameHeader) + kWidth + 1) += is_wider ? 1 : 0;
+        std::ofstream(folder_.path() / (std::string(name) + ".jpg"), std::ios::binary) << bytes;
     };
-    put("first", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
-    put("large", Catalogue::kPictureWidth + 1, Catalogue::kPictureHeight);
-    put("last", Catalogue::kPictureWidth, Catalogue::kPictureHeight);
-    std::ofstream(folder_.path() / "broken.png") << "no picture";
+    put("first", false);
+    put("large", true);
+    put("last", false);
+    std::ofstream(folder_.path() / "broken.jpg") << "no picture";
     std::vector<Catalogue::Entry> scenes;
     for (const std::string name : {"first", "missing", "large", "broken", "last"})
         scenes.push_back({name, name, folder_.path() / (name + ".toml")});
@@ -1715,6 +1718,52 @@ class Keeping : public Playing {
         return files_in(folder_.path() / "couloir/recordings").size();
     }
 };
+
+TEST_F(Playing, stands_still_behind_the_menu_which_takes_every_click_and_key) {
+    begin();
+    stroke(5);
+    tap(Key::kEscape);
+    ASSERT_TRUE(app_->panels().shows_menu());
+    const StateLine before = line();
+    const Tool tool = app_->brush().tool;
+    stroke(5);
+    tap(key('3'));
+    tap(Key::kBackspace);
+    frames(10);
+    EXPECT_EQ(line(), before);
+    EXPECT_EQ(app_->brush().tool, tool);
+    tap(Key::kEscape);
+    EXPECT_FALSE(app_->panels().shows_menu());
+    frames(5);
+    EXPECT_GT(line().tick, before.tick);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, goes_on_from_the_end_of_a_recording_that_the_menu_continues) {
+    begin();
+    stroke(5);
+    frames(20);
+    const StateLine end = line();
+    const auto recorded = *app_->recording();
+    ASSERT_TRUE(app_->finish());
+    const auto old = folder_.path() / "couloir/recordings/2026-11-29_10-00-00_alpine-valley.couloir";
+    std::filesystem::create_directories(old.parent_path());
+    std::filesystem::copy_file(recorded, old);
+    app_.reset();
+    begin();
+    app_->begin_menu();
+    frames(2);
+    click("Continue");
+    wait_until([&] {
+        frames(1);
+        return !app_->sandbox().watches();
+    });
+    EXPECT_FALSE(app_->panels().shows_menu());
+    EXPECT_GE(line().tick, end.tick);
+    stroke(2);
+    EXPECT_NE(*app_->recording(), old) << "which stays as it is";
+    expect_recording_replays();
+}
 
 TEST_F(Keeping, leaves_no_recording_of_a_session_in_which_nothing_was_done) {
     begin_in_folder("alpine-valley");

@@ -116,7 +116,8 @@ class Restless {
     }
 
     void press_key() {
-        const auto bindings = key_bindings();
+        const KeyMap map;
+        const auto bindings = map.presses();
         const KeyBinding& binding =
             bindings[static_cast<std::size_t>(below(static_cast<int>(bindings.size())))];
         const Verb* const verb = std::get_if<Verb>(&binding.does);

@@ -1,5 +1,5 @@
 // Draws the pictures of the shipped scenes at the moment at which most is in motion: of a challenge, in the recording that
-// wins it; later if nothing ever moves. assets/scenes/NAME.png is for the list of scenes, NAME.jpg for the index of a site.
+// wins it; later if nothing ever moves. assets/scenes/NAME.jpg is for the menu and for the index of a site.
 // Run it after a change of a scene or of its looks, for those scenes or for all.
 
 #include <cstdint>
@@ -25,27 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFiner = 4;                    // how much more finely it is drawn
 constexpr std::int64_t kLongest = 90 * 60;   // ticks
 constexpr std::int64_t kFlowDemo = 10 * 60;  // ticks: the moment of a scene that cannot go back
-
-// The mean of each block of kFiner by kFiner pixels.
-render::Picture shrunk(const render::Texels& large) {
-    render::Picture small{Catalogue::kPictureWidth, Catalogue::kPictureHeight, {}, 3};
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x)
-            for (int channel = 0; channel < 3; ++channel) {
-                int sum = 0;
-                for (int v = 0; v < kFiner; ++v)
-                    for (int u = 0; u < kFiner; ++u) {
-                        const int row = large.height - 1 - (kFiner * y + v);  // the lowest comes first
-                        sum += large.values[static_cast<std::size_t>(
-                            3 * (row * large.width + kFiner * x + u) + channel)];
-                    }
-                small.pixels.push_back(static_cast<std::uint8_t>(sum / (kFiner * kFiner)));
-            }
-    return small;
-}
 
 constexpr int kJpegQuality = 88;
 
@@ -99,20 +80,15 @@ Outcome<void> draw(const std::string& name) {
     session->follow_fronts(scene->scenario);
     session->follow_powder(scene->scenario);
     if (auto played = play_to_its_moment(*session, *commands, !scene->scenario.flow); !played) return played;
-    auto gallery =
-        Gallery::open(folder.path(), {kFiner * Catalogue::kPictureWidth, kFiner * Catalogue::kPictureHeight},
-                      "auto", scene->scenario);
+    auto gallery = Gallery::open(folder.path(), {Catalogue::kPictureWidth, Catalogue::kPictureHeight}, "auto",
+                                 scene->scenario);
     if (!gallery) return tl::unexpected(gallery.error());
     gallery->draw(*session, "large");
     if (auto closed = gallery->close(); !closed) return closed;
     const auto large = render::read_png(folder.path() / "large.png", 3);
     if (!large) return machine_fails(large.error());
-    const fs::path place = support::source_dir() / "assets/scenes", small = place / (name + ".png"),
-                   jpeg = place / (name + ".jpg");
-    if (auto written = render::write_png(shrunk(*large), small, render::kSmallestPngCompression); !written)
-        return machine_fails(written.error());
-    if (!scene->scenario.flow)  // which no page shows
-        if (auto written = write_jpeg(*large, jpeg); !written) return written;
+    const fs::path jpeg = support::source_dir() / "assets/scenes" / (name + ".jpg");
+    if (auto written = write_jpeg(*large, jpeg); !written) return written;
     fmt::print("{}: at {:.1f} s\n", name, session->seconds());
     return {};
 }

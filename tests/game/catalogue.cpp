@@ -42,19 +42,27 @@ TEST(Catalogue, has_challenges_first_and_flow_demos_last) {
     }
 }
 
-TEST(Catalogue, has_a_small_picture_of_each_scene_and_no_other) {
-    constexpr std::uintmax_t kMostBytes = 600'000;  // of all together
+TEST(Catalogue, says_a_sentence_of_each_scene_and_how_hard_each_challenge_is) {
+    const auto scenes = read_catalogue()->scenes;
+    for (const Catalogue::Entry& scene : scenes) {
+        EXPECT_TRUE(scene.about.ends_with('.')) << scene.name;
+        EXPECT_EQ(scene.difficulty > 0, scene.kind == Catalogue::Kind::kChallenge) << scene.name;
+    }
+}
+
+TEST(Catalogue, has_a_picture_of_each_scene_and_no_other) {
+    constexpr std::uintmax_t kMostBytes = 1'200'000;  // of all together
     const auto scenes = read_catalogue()->scenes;
     std::uintmax_t bytes = 0;
     for (const Catalogue::Entry& scene : scenes) {
-        const auto file = std::filesystem::path(scene.file).replace_extension(".png");
+        const auto file = std::filesystem::path(scene.file).replace_extension(".jpg");
         if (!scene.harder_than.empty()) {  // it has the picture of the other one
             EXPECT_FALSE(std::filesystem::exists(file)) << file;
             continue;
         }
         ASSERT_TRUE(std::filesystem::exists(file))
             << file << " is missing: draw it with build/release/bin/draw_scene_pictures " << scene.name;
-        const auto picture = render::read_png(file, 3);
+        const auto picture = render::read_jpeg(file, 3);
         ASSERT_TRUE(picture) << picture.error();
         EXPECT_EQ(picture->width, Catalogue::kPictureWidth) << file;
         EXPECT_EQ(picture->height, Catalogue::kPictureHeight) << file;
@@ -62,7 +70,7 @@ TEST(Catalogue, has_a_small_picture_of_each_scene_and_no_other) {
     }
     EXPECT_LT(bytes, kMostBytes);
     for (const auto& entry : std::filesystem::directory_iterator(scenes.front().file.parent_path()))
-        if (entry.path().extension() == ".png") {
+        if (entry.path().extension() != ".toml") {
             EXPECT_TRUE(
                 std::filesystem::exists(std::filesystem::path(entry.path()).replace_extension(".toml")))
                 << entry.path() << " is of no scene";

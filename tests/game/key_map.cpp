@@ -9,19 +9,21 @@
 namespace game::test {
 namespace {
 
+const KeyMap kUsual;
+
 TEST(KeyMap, binds_no_key_twice) {
     std::set<std::string> names;
-    for (const KeyBinding& binding : key_bindings())
+    for (const KeyBinding& binding : kUsual.presses())
         EXPECT_TRUE(names.insert(name_of({}, binding.key, binding.with)).second) << binding.meaning;
     // Keys to hold act with any modifier but Ctrl, so that even their bare key must be free.
-    for (const HeldBinding& binding : held_bindings())
+    for (const HeldBinding& binding : kUsual.holds())
         EXPECT_TRUE(names.insert(name_of({}, binding.key)).second) << binding.meaning;
 }
 
 TEST(KeyMap, binds_every_verb_every_tool_and_everything_that_is_held) {
     std::set<Verb> verbs;
     std::set<Tool> tools;
-    for (const KeyBinding& binding : key_bindings())
+    for (const KeyBinding& binding : kUsual.presses())
         if (const Verb* verb = std::get_if<Verb>(&binding.does))
             verbs.insert(*verb);
         else
@@ -29,7 +31,7 @@ TEST(KeyMap, binds_every_verb_every_tool_and_everything_that_is_held) {
     EXPECT_EQ(verbs.size(), kVerbs);
     EXPECT_EQ(tools.size(), kTools);
     std::set<Held> held;
-    for (const HeldBinding& binding : held_bindings()) held.insert(binding.held);
+    for (const HeldBinding& binding : kUsual.holds()) held.insert(binding.held);
     EXPECT_EQ(held.size(), 6u);
 }
 
@@ -45,11 +47,11 @@ TEST(KeyMap, gives_one_meaning_to_each_gesture_of_the_hand) {
 }
 
 TEST(KeyMap, says_something_of_every_binding) {
-    for (const KeyBinding& binding : key_bindings()) {
+    for (const KeyBinding& binding : kUsual.presses()) {
         EXPECT_FALSE(binding.meaning.empty());
         EXPECT_FALSE(name_of({}, binding.key, binding.with).empty()) << binding.meaning;
     }
-    for (const HeldBinding& binding : held_bindings()) EXPECT_FALSE(name_of({}, binding.key).empty());
+    for (const HeldBinding& binding : kUsual.holds()) EXPECT_FALSE(name_of({}, binding.key).empty());
 }
 
 TEST(KeyMap, names_keys_as_they_are_printed_on_keyboards) {
@@ -62,11 +64,12 @@ TEST(KeyMap, names_keys_as_they_are_printed_on_keyboards) {
     EXPECT_EQ(name_of({}, function_key(12)), "F12");
     EXPECT_EQ(name_of({}, Key::kPageDown), "PageDown");
     EXPECT_EQ(name_of({}, Key::kNone), "");
-    EXPECT_EQ(name_of({}, Verb::kToggleHelp), "F1");
+    EXPECT_EQ(name_of(Keys{{}, kUsual}, Verb::kToggleHelp), "F1");
 }
 
 TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {
-    Input input;
+    const KeyMap map;
+    Input input(map);
     Actions actions;
     const std::vector<Event> events{KeyEvent{key('T'), true, false, {}},
                                     KeyEvent{function_key(12), true, false, {}}};
@@ -77,7 +80,8 @@ TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {
 
 // On a slow machine the cursor is elsewhere by the end of the frame.
 TEST(Input, knows_where_the_brush_was_released) {
-    Input input;
+    const KeyMap map;
+    Input input(map);
     Actions actions;
     const ScreenSize size{200, 100, 1};
     input.take(std::vector<Event>{MoveEvent{100, 50}, ButtonEvent{Button::kLeft, true, {}}}, size, {},

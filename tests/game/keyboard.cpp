@@ -47,11 +47,12 @@ TEST(Keyboard, reaches_every_key_of_the_map_without_shift_and_by_one_key_on_each
         for (std::size_t i = 0; i < KeyboardLayout::kPlaces; ++i)
             if (const auto place = static_cast<Key>(i); KeyboardLayout::is_place(place))
                 ++reached[layout(name).meaning(place, kNone, false, 0).key];
-        for (const KeyBinding& binding : key_bindings())
+        const KeyMap map;
+        for (const KeyBinding& binding : map.presses())
             if (KeyboardLayout::is_place(binding.key)) {
                 EXPECT_EQ(reached[binding.key], 1) << name << " " << static_cast<char>(binding.key);
             }
-        for (const HeldBinding& binding : held_bindings())
+        for (const HeldBinding& binding : map.holds())
             if (KeyboardLayout::is_place(binding.key)) {
                 EXPECT_EQ(reached[binding.key], 1) << name << " " << static_cast<char>(binding.key);
             }
@@ -108,15 +109,15 @@ TEST(Keyboard, takes_digits_from_their_places_with_shift_or_without) {
 TEST(Keyboard, names_keys_as_they_are_printed) {
     EXPECT_EQ(name_of(layout("de"), Key::kLeftBracket), "Ü");
     EXPECT_EQ(name_of(layout("de"), Key::kLeftBracket, kShift), "Shift+Ü");
-    EXPECT_EQ(name_of(layout("de"), Verb::kUndo), "Ctrl+Z");
+    EXPECT_EQ(name_of(Keys{layout("de"), KeyMap()}, Verb::kUndo), "Ctrl+Z");
     EXPECT_EQ(name_of(layout("de"), Key::kMinus), "-");
     EXPECT_EQ(name_of(layout("de"), Key::kEqual), "=") << "the key there is dead";
     EXPECT_EQ(name_of(layout("fr"), Key::kMinus), ")");
     EXPECT_EQ(name_of(layout("fr"), key('6')), "6");
     EXPECT_EQ(name_of(layout("se"), Key::kLeftBracket), "Å");
     EXPECT_EQ(name_of(layout("ru"), key('W')), "W") << "the panels have no Russian letters";
-    EXPECT_EQ(name_of(layout("fr"), Verb::kToggleHelp), "F1");
-    EXPECT_EQ(names_of_walking(layout("fr")), "W A S D");
+    EXPECT_EQ(name_of(Keys{layout("fr"), KeyMap()}, Verb::kToggleHelp), "F1");
+    EXPECT_EQ(names_of_walking(Keys{layout("fr"), KeyMap()}), "W A S D");
 }
 
 // "+[ -[": the keys in order, pressed (+), repeated (*) or released (-), with ^ if Shift counts; typed text in quotes.

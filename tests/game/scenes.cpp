@@ -10,6 +10,7 @@
 #include "game/files/assets.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/mountains.h"
+#include "game/scene/scene_file.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
@@ -179,6 +180,29 @@ TEST_F(HarderScene, blames_the_file_that_a_fault_is_in) {
     write_bytes(folder_.path() / "easy.toml", std::string(kScene) + kGoal + "sum = 1\n");
     EXPECT_EQ(fault_of("harder_than = \"easy\"\n"),
               "trial.toml: is harder than \"easy\": easy.toml:28: score.sum is not a known key");
+}
+
+TEST_F(HarderScene, is_one_step_harder_than_the_other_one_unless_it_states_its_difficulty) {
+    write_bytes(folder_.path() / "easy.toml",
+                "about = \"It moves.\"\ndifficulty = 3\n" + std::string(kScene) + kGoal);
+    const auto read = [&](const std::string& text) {
+        write_bytes(folder_.path() / "trial.toml", text);
+        return read_scene_file(folder_.path() / "trial.toml").value();
+    };
+    EXPECT_EQ(read("harder_than = \"easy\"\n").difficulty, 4);
+    EXPECT_EQ(read("harder_than = \"easy\"\ndifficulty = 2\n").difficulty, 2);
+    EXPECT_EQ(read("about = \"A hill.\"\n" + std::string(kScene)).about, "A hill.");
+    EXPECT_EQ(fault_of("harder_than = \"easy\"\n"), "none") << "the world knows nothing of it";
+}
+
+TEST_F(HarderScene, refuses_words_for_people_that_are_none) {
+    const std::string long_text(201, 'a');
+    EXPECT_EQ(fault_of("about = 3\n"), "trial.toml:1: about is not a string in quotes");
+    EXPECT_EQ(fault_of("about = \"" + long_text + "\"\n"), "trial.toml:1: about has more than 200 bytes");
+    EXPECT_EQ(fault_of("harder_than = \"easy\"\ndifficulty = 5\n"),
+              "trial.toml:2: difficulty is 5, outside 1 to 4");
+    EXPECT_EQ(fault_of("difficulty = 1\n" + std::string(kScene)),
+              "trial.toml:1: difficulty is of a challenge, but the scene has no [goal]");
 }
 
 TEST_F(HarderScene, is_harder_than_a_challenge_that_ships_or_is_beside_it_and_is_no_chain) {

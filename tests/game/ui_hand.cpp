@@ -46,7 +46,7 @@ ui::Facts UiHand::facts() const {
             .times = times_,
             .notices = notices_,
             .catalogue = catalogue_,
-            .keyboard = screen_.layout(),
+            .keys = {screen_.layout(), keys_},
             .timeline = timeline_,
             .recording = recording_,
             .renderer = "scripted",

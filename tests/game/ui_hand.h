@@ -43,6 +43,7 @@ class UiHand : public testing::Test {
     FrameTimes times_;
     Notices notices_;
     Catalogue catalogue_;
+    KeyMap keys_;
     Modifiers modifiers_;
     bool touched_ = false;
     std::size_t actions_to_undo_ = 0, actions_to_redo_ = 0;

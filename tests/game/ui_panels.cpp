@@ -13,7 +13,7 @@ struct PanelFacts {
     std::vector<const char*> widgets;
 };
 const std::vector<PanelFacts> kPanels{
-    {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Start", "Watch slope"}},
+    {Verb::kToggleScene, "Scene", {"Close Scene", "Terrain", "Choose a scene", "Start", "Other scenes"}},
     {Verb::kTogglePhysics, "Physics", {"Close Physics", "start slope", "erosion rate"}},
     {Verb::kToggleDisplay,
      "Display",
@@ -103,6 +103,10 @@ TEST_F(UiPanels, close_one_by_one_from_the_top_a_list_before_its_panel) {
     close();
     EXPECT_FALSE(ui_->find("Close Scene"));
     close();  // nothing is left
+    EXPECT_TRUE(ui_->shows_menu());
+    EXPECT_FALSE(ui_->find("Pour"));
+    close();
+    EXPECT_FALSE(ui_->shows_menu());
 }
 
 TEST_F(UiPanels, tell_warnings_even_while_they_are_hidden) {
@@ -222,26 +226,13 @@ TEST_F(UiPanels, begin_a_scene_as_it_was_chosen) {
     EXPECT_FALSE(only<Open>(click("Start")).overrides.material);
 }
 
-TEST_F(UiPanels, open_a_recording_by_its_file_because_scenes_have_names_too) {
+TEST_F(UiPanels, play_the_best_runs_of_the_challenge_that_is_open) {
     ui_->perform(Verb::kToggleScene);
     settle();
-    EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
-}
-
-TEST_F(UiPanels, tell_the_best_run_of_each_challenge_and_play_those_of_the_one_that_is_open) {
-    catalogue_.scenes.insert(catalogue_.scenes.begin(),
-                             {"bowl", "The bowl", "/scenes/bowl.toml", Catalogue::Kind::kChallenge});
-    ui_->perform(Verb::kToggleScene);
-    settle();
-    EXPECT_TRUE(ui_->find("The bowl"));
-    EXPECT_FALSE(ui_->find("The bowl: gold"));
     EXPECT_FALSE(ui_->find("Best runs"));
-    catalogue_.scenes.front().best = Catalogue::Best{1465, 3};
     best_runs_ = {{1465, 3, "2026-11-26 12:58:00", 1, "/best/first.couloir"},
                   {900, 0, "2026-11-25 08:00:59", 2, "/best/second.couloir"}};
     settle();
-    EXPECT_TRUE(ui_->find("The bowl: gold"));
-    EXPECT_EQ(only<Open>(click("The bowl")).name_or_path, "bowl");
     EXPECT_TRUE(click("Best runs").empty());
     EXPECT_EQ(only<Open>(click("900, no medal, 2026-11-25 08:00")).name_or_path, "/best/second.couloir");
     EXPECT_TRUE(click("Best runs").empty());
@@ -354,26 +345,12 @@ TEST_F(UiPanels, list_every_key_and_every_gesture_in_the_help) {
     begin_anew({1280, 720, 1});
     ui_->perform(Verb::kToggleHelp);
     settle();
-    for (const KeyBinding& binding : key_bindings())
+    const KeyMap map;
+    for (const KeyBinding& binding : map.presses())
         EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
-    for (const HeldBinding& binding : held_bindings())
-        EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
+    for (const HeldBinding& binding : map.holds()) EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
     for (const GestureBinding& binding : gesture_bindings())
         EXPECT_TRUE(ui_->find(binding.meaning)) << binding.meaning;
-}
-
-TEST_F(UiPanels, keep_the_rows_of_the_list_of_scenes_where_they_are) {
-    begin_anew({1280, 720, 1});
-    for (int i = 0; i < 20; ++i)
-        catalogue_.scenes.push_back({"hill", "A hill", "/scenes/hill.toml", Catalogue::Kind::kMountain});
-    catalogue_.scenes[3].title = "The third";
-    ui_->perform(Verb::kToggleScene);
-    settle();
-    const double before = place("The third").y;
-    scenario_.title = "A title that is so long that it takes several lines at the top of the panel of scenes";
-    best_runs_ = {{900, 2, "2026-11-26 12:58:00", 1, ""}};
-    settle();
-    EXPECT_NEAR(place("The third").y, before, 1);
 }
 
 TEST_F(UiPanels, keep_the_card_between_the_bars_with_all_of_its_buttons) {
@@ -478,25 +455,6 @@ TEST_F(UiHand, goes_from_gold_to_the_harder_challenge_and_from_there_to_the_next
     scenario_.scene = "bowl-hard";
     settle();
     EXPECT_EQ(only<Open>(click("Next")).name_or_path, "shovel");
-}
-
-TEST_F(UiPanels, list_a_harder_challenge_once_the_other_one_was_won_in_gold) {
-    using Best = Catalogue::Best;
-    catalogue_.scenes = {
-        {"bowl", "The bowl", "/scenes/bowl.toml", Catalogue::Kind::kChallenge},
-        {"bowl-hard", "The small bowl", "/scenes/bowl-hard.toml", Catalogue::Kind::kChallenge, "bowl"}};
-    ui_->perform(Verb::kToggleScene);
-    settle();
-    EXPECT_TRUE(ui_->find("The bowl"));
-    EXPECT_FALSE(ui_->find("The small bowl"));
-    for (const auto& [bowl, small, listed] : {std::tuple(Best{900, 2}, std::optional<Best>(), false),
-                                              {Best{1465, 3}, std::nullopt, true},
-                                              {Best{900, 2}, std::optional(Best{300, 1}), true}}) {
-        catalogue_.scenes[0].best = bowl, catalogue_.scenes[1].best = small;
-        settle();
-        EXPECT_EQ(ui_->find("The small bowl").has_value(), listed);
-    }
-    EXPECT_EQ(only<Open>(click("The small bowl")).name_or_path, "bowl-hard");
 }
 
 }  // namespace

@@ -1,0 +1,225 @@
+#include "game/ui/menu_pages.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "game/analysis/score.h"
+
+namespace game::ui {
+namespace {
+
+constexpr float kCard = 12, kAbout = 19;               // em: least width; width of the pane
+constexpr float kCardTitle = 2.5f, kCardStars = 1.1f;  // em: heights below the picture
+constexpr std::array kDifficulties{"", "easy", "medium", "hard", "very hard"};
+constexpr const char* kStarts = "Starts this scene; the current session stays in its recording.";
+
+using Kind = Catalogue::Kind;
+
+// The scene whose card is chosen: the one clicked last, else the open one, else the first of the kinds that is not won yet.
+const Catalogue::Entry* chosen_of(const Desk& desk, const Facts& facts, std::span<const Kind> kinds) {
+    const auto& scenes = facts.catalogue.scenes;
+    const auto is_there = [&](const Catalogue::Entry& entry) {
+        return std::ranges::find(kinds, entry.kind) != kinds.end();
+    };
+    for (const std::string* name : {&desk.menu.chosen, &facts.scenario.scene}) {
+        const auto found = std::ranges::find(scenes, *name, &Catalogue::Entry::name);
+        if (found != scenes.end() && is_there(*found)) return &*found;
+    }
+    const Catalogue::Entry* first = nullptr;
+    for (const Catalogue::Entry& entry : scenes) {
+        if (!is_there(entry)) continue;
+        const bool is_next = entry.kind == Kind::kChallenge && !waits_for(entry, facts) &&
+                             (!entry.best || entry.best->medal == 0);
+        if (is_next) return &entry;
+        if (!first) first = &entry;
+    }
+    return first;
+}
+
+Widgets::Card card_of(Desk& desk, const Catalogue::Entry& entry, const Facts& facts, std::span<char> note) {
+    Widgets::Card card{.label = entry.title.c_str()};
+    if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
+        card.picture = picture->texture, card.from = picture->from, card.to = picture->to;
+    if (entry.kind != Kind::kChallenge) return card;
+    card.medal = entry.best ? entry.best->medal : 0;
+    card.is_closed = waits_for(entry, facts) != nullptr;
+    std::snprintf(note.data(), note.size(), "%s", kDifficulties[static_cast<std::size_t>(entry.difficulty)]);
+    card.note = note.data();
+    return card;
+}
+
+void cards(Desk& desk, const char* heading, Kind kind, const Catalogue::Entry* chosen, const Facts& facts) {
+    const auto& scenes = facts.catalogue.scenes;
+    if (std::ranges::find(scenes, kind, &Catalogue::Entry::kind) == scenes.end()) return;
+    if (heading) desk.widgets.heading(heading);
+    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x,
+                least = kCard * desk.em();
+    const int columns = std::max(1, static_cast<int>((room + gap) / (least + gap)));
+    const float width = (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    const float words = kCardTitle + (kind == Kind::kChallenge ? kCardStars : 0);
+    const ImVec2 size{width, width * 9 / 16 + words * desk.em()};
+    int drawn = 0;
+    for (const Catalogue::Entry& entry : scenes) {
+        if (entry.kind != kind) continue;
+        if (drawn++ % columns != 0) ImGui::SameLine();
+        std::array<char, 24> note{};
+        if (desk.widgets.card(card_of(desk, entry, facts, note), size, &entry == chosen))
+            desk.menu.chosen = entry.name;
+    }
+}
+
+// What a person should know of a challenge before it begins.
+void facts_of_challenge(Desk& desk, const Catalogue::Entry& entry, const Facts& facts) {
+    std::array<char, 96> text;
+    const auto& scenes = facts.catalogue.scenes;
+    if (entry.difficulty > 0)
+        desk.widgets.fact("Difficulty", "%s", kDifficulties[static_cast<std::size_t>(entry.difficulty)]);
+    if (entry.best)
+        desk.widgets.fact("Your best", "%s, %s",
+                          write_number(text, "%.0f", static_cast<double>(entry.best->score)),
+                          medal_name(entry.best->medal));
+    const auto harder = std::ranges::find(scenes, entry.name, &Catalogue::Entry::harder_than);
+    if (harder != scenes.end() && waits_for(*harder, facts))
+        desk.widgets.fact("Gold opens", "%s", harder->title.c_str());
+}
+
+// What is chosen, with the button that begins it.
+void about(Desk& desk, const Catalogue::Entry& entry, const Facts& facts, Actions& actions) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
+        ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
+    ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+    desk.widgets.plain("%s", entry.title.c_str());
+    ImGui::PopStyleColor();
+    std::array<char, 512> text;
+    if (!entry.about.empty()) desk.widgets.plain("%s", write_with_volumes(text, entry.about));
+    desk.widgets.note("About");
+    if (entry.kind == Kind::kChallenge) facts_of_challenge(desk, entry, facts);
+    const Catalogue::Entry* const other = waits_for(entry, facts);
+    if (other) desk.widgets.plain("Opens with gold in “%s”.", other->title.c_str());
+    ImGui::Dummy({0, desk.em() * 0.3f});
+    ImGui::BeginDisabled(other != nullptr);
+    if (desk.widgets.button("Start", kStarts, true, width)) actions.emplace_back(Open{entry.name, {}});
+    ImGui::EndDisabled();
+}
+
+// Cards at the left, and what is chosen at the right.
+template <class Cards>
+void cards_and_choice(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actions& actions,
+                      const Cards& cards) {
+    const float pane = std::min(kAbout * desk.em(), ImGui::GetContentRegionAvail().x / 2);
+    ImGui::BeginChild("Cards", {-pane - desk.em(), 0});
+    cards();
+    ImGui::EndChild();
+    ImGui::SameLine(0, desk.em());
+    ImGui::BeginChild("About it", {0, 0});
+    if (chosen) about(desk, *chosen, facts, actions);
+    ImGui::EndChild();
+}
+
+void own_worlds_of(Desk& desk, const char* heading, Kind kind, const char* tooltip, const Facts& facts,
+                   Actions& actions) {
+    const auto& worlds = facts.catalogue.worlds;
+    if (std::ranges::find(worlds, kind, &Catalogue::Entry::kind) == worlds.end()) return;
+    desk.widgets.heading(heading);
+    for (const Catalogue::Entry& entry : worlds)
+        if (entry.kind == kind &&
+            desk.widgets.button(entry.name.c_str(), tooltip, entry.name == facts.scenario.scene,
+                                ImGui::GetContentRegionAvail().x))
+            actions.emplace_back(Open{entry.file.string(), {}});
+}
+
+constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                             "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+
+}  // namespace
+
+const Catalogue::Entry* waits_for(const Catalogue::Entry& entry, const Facts& facts) {
+    if (entry.harder_than.empty() || entry.best || entry.name == facts.scenario.scene) return nullptr;
+    const auto& scenes = facts.catalogue.scenes;
+    const auto easier = std::ranges::find(scenes, entry.harder_than, &Catalogue::Entry::name);
+    const bool is_closed = easier != scenes.end() && (!easier->best || easier->best->medal < kGold);
+    return is_closed ? &*easier : nullptr;
+}
+
+Ladder ladder_of(const std::vector<Catalogue::Entry>& scenes) {
+    Ladder ladder;
+    for (const Catalogue::Entry& entry : scenes) {
+        if (entry.kind != Kind::kChallenge) continue;
+        ++ladder.challenges;
+        const int medal = entry.best ? entry.best->medal : 0;
+        ladder.won += medal > 0;
+        ladder.stars += medal;
+    }
+    return ladder;
+}
+
+const char* write_recording(std::span<char> text, const Catalogue::Entry& recording,
+                            const Catalogue& catalogue) {
+    // Named by time and scene: 2026-11-21_18-04-59_alpine-valley
+    int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, length = 0;
+    const int read = std::sscanf(recording.name.c_str(), "%4d-%2d-%2d_%2d-%2d-%2d_%n", &year, &month, &day,
+                                 &hour, &minute, &second, &length);
+    if (read < 6 || length == 0 || month < 1 || month > 12) {
+        std::snprintf(text.data(), text.size(), "%s", recording.name.c_str());
+        return text.data();
+    }
+    const std::string scene = recording.name.substr(static_cast<std::size_t>(length));
+    std::snprintf(text.data(), text.size(), "%s, %d %s %02d:%02d", title_in(catalogue.scenes, scene), day,
+                  kMonths[static_cast<std::size_t>(month - 1)], hour, minute);
+    return text.data();
+}
+
+void challenges_page(Desk& desk, const Facts& facts, Actions& actions) {
+    constexpr std::array kKinds{Kind::kChallenge};
+    const Catalogue::Entry* const chosen = chosen_of(desk, facts, kKinds);
+    const Ladder ladder = ladder_of(facts.catalogue.scenes);
+    desk.widgets.dim("%d of %d won, %d of %d stars. A gold medal opens the harder one of a challenge.",
+                     ladder.won, ladder.challenges, ladder.stars, kGold * ladder.challenges);
+    cards_and_choice(desk, chosen, facts, actions,
+                     [&] { cards(desk, nullptr, Kind::kChallenge, chosen, facts); });
+}
+
+void free_play_page(Desk& desk, const Facts& facts, Actions& actions) {
+    constexpr std::array kKinds{Kind::kMountain, Kind::kFlowDemo};
+    const Catalogue::Entry* const chosen = chosen_of(desk, facts, kKinds);
+    cards_and_choice(desk, chosen, facts, actions, [&] {
+        cards(desk, nullptr, Kind::kMountain, chosen, facts);
+        cards(desk, "Flow demos: the figures of the paper", Kind::kFlowDemo, chosen, facts);
+    });
+}
+
+void hill_page(Desk& desk, const Facts& facts, Actions& actions) {
+    desk.widgets.plain(
+        "Drop an elevation file onto the window: GeoTIFF, Esri ASCII grid or another raster that GDAL reads. "
+        "A scene of your own (.toml) works too.");
+    desk.widgets.dim("The Scene panel saves the world that is open, with all that was done to it.");
+    own_worlds_of(desk, "Your worlds, newest first", Kind::kMountain,
+                  "Starts in this world; the current session stays in its recording.", facts, actions);
+    own_worlds_of(desk, "Your challenges, newest first", Kind::kChallenge,
+                  "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
+}
+
+void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::array<char, 160> label, what;
+    desk.widgets.heading("Slides that ship");
+    for (const Catalogue::Entry& entry : facts.catalogue.recordings) {
+        std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
+        if (desk.widgets.button(label.data(), entry.title.c_str(), false, width))
+            actions.emplace_back(Open{entry.file.string(), {}});
+    }
+    const auto is_other = [&](const Catalogue::Entry& entry) {
+        return entry.file.native() != facts.recording;
+    };
+    if (std::ranges::none_of(facts.catalogue.own, is_other)) return;
+    desk.widgets.heading("Yours, newest first");
+    for (const Catalogue::Entry& entry : facts.catalogue.own)
+        if (is_other(entry) && desk.widgets.button(write_recording(what, entry, facts.catalogue),
+                                                   entry.title.c_str(), false, width))
+            actions.emplace_back(Open{entry.file.string(), {}});
+}
+
+}  // namespace game::ui

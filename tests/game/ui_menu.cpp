@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include "tests/game/ui_hand.h"
+
+namespace game::test {
+namespace {
+
+using Best = Catalogue::Best;
+
+// The menu over a small world.
+class UiMenu : public UiHand {
+  protected:
+    UiMenu() {
+        using Kind = Catalogue::Kind;
+        catalogue_.scenes.insert(
+            catalogue_.scenes.begin(),
+            {{"bowl", "The bowl", "/scenes/bowl.toml", Kind::kChallenge, "", {}, "Empty 300 m3 of it.", 1},
+             {"bowl-hard", "The small bowl", "/scenes/bowl-hard.toml", Kind::kChallenge, "bowl", {}, "", 2},
+             {"dam", "The dam", "/scenes/dam.toml", Kind::kChallenge, "", {}, "Build it.", 3}});
+        catalogue_.own = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"},
+                          {"mine", "/own/mine.couloir", "/own/mine.couloir"}};
+    }
+    void open_page(const char* page) {
+        ui_->perform(Verb::kMenu);
+        settle();
+        EXPECT_TRUE(click(page).empty());
+        settle();
+    }
+};
+
+TEST_F(UiMenu, stands_over_the_panels_and_takes_every_click) {
+    ui_->perform(Verb::kMenu);
+    settle();
+    EXPECT_TRUE(ui_->shows_menu());
+    for (const char* under : {"Pour", "Pause", "Hint"}) EXPECT_FALSE(ui_->find(under)) << under;
+    screen_.move(1270, 400);
+    settle();
+    EXPECT_TRUE(ui_->keeps_mouse());
+    EXPECT_TRUE(click("Resume").empty());
+    settle();
+    EXPECT_FALSE(ui_->shows_menu());
+    EXPECT_TRUE(ui_->find("Pour"));
+}
+
+TEST_F(UiMenu, continues_the_newest_recording_when_the_program_has_just_started) {
+    ui_->begin_menu();
+    settle();
+    EXPECT_FALSE(ui_->find("Resume"));
+    Open open = only<Open>(click("Continue"));
+    EXPECT_EQ(open.name_or_path, "/own/newest.couloir");
+    EXPECT_TRUE(open.goes_on);
+
+    recording_ = "/own/newest.couloir";  // it is being written
+    settle();
+    EXPECT_EQ(only<Open>(click("Continue")).name_or_path, "/own/mine.couloir");
+
+    catalogue_.own.clear();
+    settle();
+    EXPECT_FALSE(ui_->find("Continue"));
+}
+
+TEST_F(UiMenu, describes_a_challenge_at_the_first_click_and_starts_it_at_the_second) {
+    open_page("Challenges");
+    EXPECT_TRUE(click("The dam").empty());
+    settle();
+    EXPECT_TRUE(ui_->find("Difficulty"));
+    EXPECT_FALSE(ui_->find("Your best"));
+    EXPECT_EQ(only<Open>(click("Start")).name_or_path, "dam");
+}
+
+TEST_F(UiMenu, proposes_the_first_challenge_that_is_not_won) {
+    catalogue_.scenes[0].best = Best{900, 2};
+    open_page("Challenges");
+    EXPECT_EQ(only<Open>(click("Start")).name_or_path, "dam");
+}
+
+TEST_F(UiMenu, opens_a_harder_challenge_with_gold_in_the_other_one) {
+    open_page("Challenges");
+    for (const auto& [bowl, small, opens] : {std::tuple(std::optional<Best>(), std::optional<Best>(), false),
+                                             {Best{900, 2}, std::nullopt, false},
+                                             {Best{1465, 3}, std::nullopt, true},
+                                             {Best{900, 2}, Best{300, 1}, true}}) {
+        catalogue_.scenes[0].best = bowl, catalogue_.scenes[1].best = small;
+        settle();
+        EXPECT_TRUE(click("The small bowl").empty());
+        settle();
+        EXPECT_EQ(click("Start").size(), opens ? 1u : 0u);
+    }
+}
+
+TEST_F(UiMenu, opens_a_recording_by_its_file_because_scenes_have_names_too) {
+    open_page("Watch");
+    EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
+    EXPECT_EQ(only<Open>(click("A valley, 21 Nov 18:04")).name_or_path, "/own/newest.couloir");
+    EXPECT_EQ(only<Open>(click("mine")).name_or_path, "/own/mine.couloir");
+}
+
+TEST_F(UiMenu, goes_back_from_a_page_and_closes_for_a_panel) {
+    open_page("Free play");
+    EXPECT_TRUE(ui_->find("A slope"));
+    ui_->perform(Verb::kClosePanel);
+    settle();
+    EXPECT_TRUE(ui_->shows_menu());
+    EXPECT_FALSE(ui_->find("A slope"));
+    ui_->perform(Verb::kToggleScene);
+    settle();
+    EXPECT_FALSE(ui_->shows_menu());
+    EXPECT_EQ(only<Verb>(click("Other scenes")), Verb::kMenu);
+}
+
+TEST_F(UiMenu, has_every_page_on_a_small_screen_and_with_large_letters) {
+    for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {1280, 720, 2}, {800, 600, 1}, {2560, 1440, 2}}) {
+        begin_anew(size);
+        for (const char* page : {"Challenges", "Free play", "My hill", "Watch", "Settings"}) {
+            open_page(page);
+            const auto at = place("Page of the menu");
+            EXPECT_GE(at.width, size.width * 0.3) << page;
+            EXPECT_LE(at.x + at.width, size.width) << page;
+            EXPECT_TRUE(click("Back").empty());
+            settle();
+            const auto last = place("Quit");
+            EXPECT_LE(last.y + last.height, size.height) << size.width;
+            ui_->perform(Verb::kMenu);
+            settle();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace game::test
