@@ -116,7 +116,7 @@ bool App::frame() {
     const auto events = watch_opening(screen_.poll());
     const ScreenSize size = screen_.size();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
-    input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys(), ui_.shows_menu()}, actions_);
+    input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
     perform_all();
     tell_results();
 

@@ -132,6 +132,8 @@ class App {
     void perform(const TryChallenge&);
     void perform(const ChallengeFriend&);
     void perform(const CoverGround& wish);
+    void perform(const BindKey& wish);
+    void perform(const ResetKeys&);
     void pause(bool on);
     void undo();
     void redo();

@@ -137,6 +137,14 @@ void App::perform(const Open& open) {
     if (opened && open.goes_on && sandbox_->watches()) take_over_at(sandbox_->known_until());
 }
 
+void App::perform(const BindKey& wish) {
+    now_set_.keys.bind(wish.row, {wish.key, wish.with});
+}
+
+void App::perform(const ResetKeys&) {
+    now_set_.keys = {};
+}
+
 void App::perform(const LookAt& wish) {
     const sim::View world = sandbox_->session().view();
     render::Camera there = camera();

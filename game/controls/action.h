@@ -12,6 +12,7 @@
 
 #include "game/controls/brush.h"
 #include "game/controls/display.h"
+#include "game/controls/events.h"
 #include "game/scene/scene.h"
 
 namespace game {
@@ -102,15 +103,23 @@ struct ChallengeFriend {};
 // Begins the challenge of the recording that was opened, from its start and untouched.
 struct TryChallenge {};
 
+// Gives an action another key: the row of the key map, and what it has then (KeyMap::bind).
+struct BindKey {
+    std::size_t row;
+    Key key;
+    Modifiers with;
+};
+struct ResetKeys {};
+
 // Covers ground on which nothing lies with material, and begins its world anew.
 struct CoverGround {
     double depth;  // m
 };
 
 // A Tool is chosen.
-using Action =
-    std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
-                 GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround>;
+using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
+                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend,
+                            CoverGround, BindKey, ResetKeys>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

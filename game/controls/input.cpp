@@ -9,10 +9,19 @@ std::optional<Gesture> gesture_of(std::optional<Button> button, bool shift) {
     return std::nullopt;
 }
 
-// Beside the menu, which stands over the world.
-bool works_in_menu(const KeyBinding& binding) {
+bool may_act(const KeyBinding& binding, KeysKept kept) {
     const Verb* const verb = std::get_if<Verb>(&binding.does);
-    return verb && (*verb == Verb::kClosePanel || *verb == Verb::kMenu || *verb >= Verb::kScreenshot);
+    switch (kept) {
+        case KeysKept::kNone:
+            return true;
+        case KeysKept::kOfText:  // function keys type nothing
+            return is_function_key(binding.key);
+        case KeysKept::kOfWorld:
+            return verb && (*verb == Verb::kClosePanel || *verb == Verb::kMenu || *verb >= Verb::kScreenshot);
+        case KeysKept::kAll:
+            return false;
+    }
+    return false;
 }
 
 }  // namespace
@@ -26,7 +35,7 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
     from_ = at_.value_or(glm::dvec2(0));
 
     for (const Event& event : events) {
-        if (const auto* key = std::get_if<KeyEvent>(&event)) take_key(*key, kept, actions);
+        if (const auto* key = std::get_if<KeyEvent>(&event)) take_key(*key, kept.keys, actions);
         if (const auto* button = std::get_if<ButtonEvent>(&event)) take_button(*button, kept.mouse);
         if (const auto* wheel = std::get_if<WheelEvent>(&event); wheel && !kept.mouse) take_wheel(*wheel);
         if (const auto* move = std::get_if<MoveEvent>(&event); move && size.width > 0)
@@ -60,14 +69,14 @@ double Input::held(Held towards, Held away) const {
     return (to ? 1.0 : 0.0) - (fro ? 1.0 : 0.0);
 }
 
-void Input::take_key(const KeyEvent& event, Kept kept, Actions& actions) {
+void Input::take_key(const KeyEvent& event, KeysKept kept, Actions& actions) {
     with_ = event.with;
     const auto index = static_cast<std::size_t>(event.key);
-    if (index < down_.size()) down_[index] = event.down && !kept.keys && !kept.menu;
-    if (!event.down || (kept.keys && !is_function_key(event.key))) return;  // those type nothing
+    if (index < down_.size()) down_[index] = event.down && kept == KeysKept::kNone;
+    if (!event.down) return;
     for (const KeyBinding& binding : map_->presses())
         if (binding.key == event.key && binding.with == event.with && (!event.repeat || binding.repeats) &&
-            (!kept.menu || works_in_menu(binding)))
+            may_act(binding, kept))
             std::visit([&](auto what) { actions.emplace_back(what); }, binding.does);
 }
 

@@ -21,8 +21,8 @@ class Input {
 
     // The input that panels use in this frame (ui/ui.h).
     struct Kept {
-        bool mouse = false, keys = false;
-        bool menu = false;  // only what concerns the program as a whole works beside it
+        bool mouse = false;
+        KeysKept keys = KeysKept::kNone;
     };
     // Processes the events of a frame and appends the requested actions to `actions`.
     void take(std::span<const Event> events, ScreenSize size, Kept kept, Actions& actions);
@@ -52,7 +52,7 @@ class Input {
     bool dropped() const { return dropped_; }
 
   private:
-    void take_key(const KeyEvent& event, Kept kept, Actions& actions);
+    void take_key(const KeyEvent& event, KeysKept kept, Actions& actions);
     void take_button(const ButtonEvent& event, bool kept);
     void take_wheel(const WheelEvent& event);
     void release_all();

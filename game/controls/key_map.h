@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -81,6 +82,14 @@ struct GestureBinding {
     std::string_view meaning;
 };
 std::span<const GestureBinding> gesture_bindings();
+
+// Which keys panels use themselves.
+enum class KeysKept : std::uint8_t {
+    kNone,
+    kOfText,   // a number is being typed: all but function keys
+    kOfWorld,  // the menu stands over the world: all but those of the program as a whole
+    kAll,      // the next one will be given to an action
+};
 
 // The label of a key on a keyboard: "Ctrl+Z", "Space", "F1"; empty for a key without a name. Short enough that
 // std::string does not allocate, except with all three modifiers.

@@ -25,7 +25,7 @@ struct Item {
 constexpr std::array kItems{
     Item{Menu::Page::kChallenges, "Challenges"}, Item{Menu::Page::kFreePlay, "Free play"},
     Item{Menu::Page::kHill, "My hill"},          Item{Menu::Page::kWatch, "Watch"},
-    Item{Menu::Page::kSettings, "Settings"},
+    Item{Menu::Page::kSettings, "Settings"},     Item{Menu::Page::kKeys, "Keys"},
 };
 // Dark under the words, and clear beside them.
 void shade(Desk& desk, float column) {
@@ -63,6 +63,8 @@ MenuNote note_of(const Item& item, const Facts& facts) {
         std::snprintf(note.text.data(), note.text.size(), "your own terrain and worlds");
     } else if (item.page == Menu::Page::kWatch) {
         std::snprintf(note.text.data(), note.text.size(), "slides that ship, and yours");
+    } else if (item.page == Menu::Page::kKeys) {
+        std::snprintf(note.text.data(), note.text.size(), "what each key does; change them");
     } else {
         std::snprintf(note.text.data(), note.text.size(), "picture, sound, text size");
     }
@@ -70,10 +72,10 @@ MenuNote note_of(const Item& item, const Facts& facts) {
 }
 
 // Back to the world, or to the newest recording when the program has just started.
-void go_on(Desk& desk, const Facts& facts, float width, Actions& actions) {
+void go_on(Desk& desk, const Facts& facts, ImVec2 size, Actions& actions) {
     const bool on = desk.menu.page == Menu::Page::kStart;
     if (!desk.menu.begins) {
-        if (desk.widgets.menu_button("Resume", facts.scenario.title.c_str(), on, width)) desk.menu.close();
+        if (desk.widgets.menu_button("Resume", facts.scenario.title.c_str(), on, size)) desk.menu.close();
         return;
     }
     const auto& own = facts.catalogue.own;
@@ -81,17 +83,21 @@ void go_on(Desk& desk, const Facts& facts, float width, Actions& actions) {
         own, [&](const Catalogue::Entry& entry) { return entry.file.native() != facts.recording; });
     if (last == own.end()) return;
     std::array<char, 96> what;
-    if (desk.widgets.menu_button("Continue", write_recording(what, *last, facts.catalogue), on, width))
+    if (desk.widgets.menu_button("Continue", write_recording(what, *last, facts.catalogue), on, size))
         actions.emplace_back(Open{last->file.string(), {}, true});
 }
 
 void choices(Desk& desk, const Facts& facts, float width, Actions& actions) {
-    go_on(desk, facts, width, actions);
+    constexpr float kUsual = 2.7f, kLeast = 1.5f;  // em
+    const float room = (desk.size.y - desk.margin() - ImGui::GetCursorPosY()) / (kItems.size() + 2);
+    const ImVec2 size{
+        width, std::clamp(room - ImGui::GetStyle().ItemSpacing.y, kLeast * desk.em(), kUsual * desk.em())};
+    go_on(desk, facts, size, actions);
     for (const Item& item : kItems)
         if (desk.widgets.menu_button(item.label, note_of(item, facts).text.data(),
-                                     desk.menu.page == item.page, width))
+                                     desk.menu.page == item.page, size))
             desk.menu.show(item.page);
-    if (desk.widgets.menu_button("Quit", "what you did stays in its recording", false, width))
+    if (desk.widgets.menu_button("Quit", "what you did stays in its recording", false, size))
         actions.emplace_back(Verb::kQuit);
 }
 
@@ -112,6 +118,8 @@ void contents(Desk& desk, const Facts& facts, Actions& actions) {
             return watch_page(desk, facts, actions);
         case Menu::Page::kSettings:
             return display_panel(desk, facts, actions);
+        case Menu::Page::kKeys:
+            return keys_page(desk, facts, actions);
         case Menu::Page::kStart:
             return;
     }

@@ -7,7 +7,7 @@ namespace game::ui {
 
 // Which page of the menu is open, and what is chosen there.
 struct Menu {
-    enum class Page : std::uint8_t { kStart, kChallenges, kFreePlay, kHill, kWatch, kSettings };
+    enum class Page : std::uint8_t { kStart, kChallenges, kFreePlay, kHill, kWatch, kSettings, kKeys };
 
     bool open = false;
     bool begins = false;  // the program has just started: nothing was played that could go on

@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kCard = 12, kAbout = 19;               // em: least width; width of the pane
+constexpr float kCard = 11, kAbout = 19;               // em: least width; width of the pane
 constexpr float kCardTitle = 2.5f, kCardStars = 1.1f;  // em: heights below the picture
 constexpr std::array kDifficulties{"", "easy", "medium", "hard", "very hard"};
 constexpr const char* kStarts = "Starts this scene; the current session stays in its recording.";

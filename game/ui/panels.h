@@ -6,6 +6,7 @@
 #include "game/controls/action.h"
 #include "game/ui/card_map.h"
 #include "game/ui/facts.h"
+#include "game/ui/key_choice.h"
 #include "game/ui/menu.h"
 #include "game/ui/scene_pictures.h"
 #include "game/ui/widgets.h"
@@ -66,6 +67,7 @@ struct Desk {
     CardMap card_map;
     OpenPanels panels;
     Menu menu;
+    KeyChoice key_choice;
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected
     ImVec2 size{1280, 720};           // of the screen, px

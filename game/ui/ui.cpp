@@ -133,6 +133,10 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
     ImGuiIO& io = ImGui::GetIO();
     desk.size = io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, 1.0));
+    if (desk.menu.open && desk.menu.page == Menu::Page::kKeys)
+        desk.key_choice.hear(events);
+    else
+        desk.key_choice = {};
     parts.feed.add(events);
     ImGui::NewFrame();
 }
@@ -141,8 +145,11 @@ bool Ui::keeps_mouse() const {
     return ImGui::GetIO().WantCaptureMouse;
 }
 
-bool Ui::keeps_keys() const {
-    return ImGui::GetIO().WantTextInput;
+KeysKept Ui::keeps_keys() const {
+    const Desk& desk = parts_->desk;
+    if (desk.menu.open && desk.key_choice.asked) return KeysKept::kAll;
+    if (ImGui::GetIO().WantTextInput) return KeysKept::kOfText;
+    return desk.menu.open ? KeysKept::kOfWorld : KeysKept::kNone;
 }
 
 void Ui::begin_menu() {

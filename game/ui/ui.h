@@ -27,7 +27,7 @@ class Ui {
     // `letters` as in Display. `screen` provides the clipboard.
     void begin(std::span<const Event> events, Screen& screen, double letters, double elapsed_s);
     bool keeps_mouse() const;  // the cursor is over a panel
-    bool keeps_keys() const;   // a number is being typed
+    KeysKept keeps_keys() const;
 
     // Opens and closes panels and the menu. Returns false for other verbs.
     bool perform(Verb verb);

@@ -97,7 +97,7 @@ void Widgets::begin_frame(double elapsed_s) {
 }
 
 void Widgets::tooltip(const char* text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (!text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     const ImVec2 at = ImGui::GetItemRectMin();
     hovered_s_ = at.x == hovered_.x && at.y == hovered_.y ? hovered_s_ + elapsed_s_ : 0;
     hovered_ = at;
@@ -226,16 +226,19 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     return pressed;
 }
 
-bool Widgets::menu_button(const char* label, const char* note, bool on, float width) {
-    const float small = letters.small->FontSize, left = em * 0.9f, high = em * 2.7f;
-    const bool pressed = plate(label, {width, high}, on);
+bool Widgets::menu_button(const char* label, const char* note, bool on, ImVec2 size) {
+    constexpr float kWithNote = 2.3f;  // em
+    const float small = letters.small->FontSize, left = em * 0.9f, gap = em * 0.1f,
+                below = size.y >= kWithNote * em ? gap + small : 0;
+    const bool pressed = plate(label, size, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float gap = em * 0.1f, top = from.y + (high - em - gap - small) / 2;
-    list.PushClipRect(from, {from.x + width - left / 2, from.y + high}, true);
+    const float top = from.y + (size.y - em - below) / 2;
+    list.PushClipRect(from, {from.x + size.x - left / 2, from.y + size.y}, true);
     list.AddText({from.x + left, top}, alive(colour_on_plate(on)), label);
-    list.AddText(letters.small, small, {from.x + left, top + em + gap},
-                 alive(on ? faded(kAccentText, 0.8f) : kDimText), note);
+    if (below > 0)
+        list.AddText(letters.small, small, {from.x + left, top + em + gap},
+                     alive(on ? faded(kAccentText, 0.8f) : kDimText), note);
     list.PopClipRect();
     return pressed;
 }

@@ -83,8 +83,8 @@ class Widgets {
                      bool on, bool narrow, float width);
     float tool_button_width(const char* label, const char* key, bool narrow) const;
 
-    // A large button of the menu, with a line of small letters below its label.
-    bool menu_button(const char* label, const char* note, bool on, float width);
+    // A large button of the menu, with a line of small letters below its label if it is high enough.
+    bool menu_button(const char* label, const char* note, bool on, ImVec2 size);
 
     // A button with a picture of 16 : 9 above its label. `medal`: of the stars below the label, 0 none to 3 gold; −1: no
     // stars.
@@ -129,7 +129,7 @@ class Widgets {
     void close_choice() { closing_choice_ = true; }
     // A warning drawn over the bottom of the current window; nothing moves.
     void warn_over_foot(const char* label, const char* text);
-    void tooltip(const char* text);  // for the last item
+    void tooltip(const char* text);  // for the last item; null: none
 
   private:
     bool begin_choice(const char* label, const char* shown, const char* tooltip, float width);

@@ -73,9 +73,66 @@ TEST(KeyMap, hears_function_keys_but_no_others_while_a_number_is_typed) {
     Actions actions;
     const std::vector<Event> events{KeyEvent{key('T'), true, false, {}},
                                     KeyEvent{function_key(12), true, false, {}}};
-    input.take(events, {}, {.mouse = false, .keys = true}, actions);
+    input.take(events, {}, {.mouse = false, .keys = KeysKept::kOfText}, actions);
     ASSERT_EQ(actions.size(), 1u);
     EXPECT_EQ(std::get<Verb>(actions[0]), Verb::kScreenshot);
+}
+
+TEST(KeyMap, has_no_key_that_does_two_things_after_any_change) {
+    KeyMap map;
+    const std::vector<Chord> chords{{key('W'), {}},        {key('W'), {true, false, false}},
+                                    {Key::kSpace, {}},     {key('Z'), {false, true, false}},
+                                    {key('K'), {}},        {Key::kEscape, {}},
+                                    {function_key(9), {}}, {}};
+    for (std::size_t row = 0; row < map.size(); ++row)
+        for (const Chord chord : chords) {
+            if (!map.accepts(row, chord)) continue;
+            map.bind(row, chord);
+            EXPECT_EQ(map.at(row), chord);
+            for (std::size_t each = 0; each < map.size(); ++each)
+                EXPECT_FALSE(map.conflict(each, map.at(each))) << map.name(each);
+        }
+}
+
+TEST(KeyMap, gives_a_held_key_no_modifier_and_no_action_a_bare_one) {
+    const KeyMap map;
+    const std::size_t held = map.presses().size();
+    EXPECT_TRUE(map.accepts(held, {key('K'), {}}));
+    EXPECT_FALSE(map.accepts(held, {key('K'), {true, false, false}}));
+    for (const Key bare : {Key::kShift, Key::kControl, Key::kAlt}) {
+        EXPECT_FALSE(map.accepts(0, {bare, {}}));
+        EXPECT_FALSE(map.accepts(held, {bare, {}}));
+    }
+}
+
+TEST(KeyMap, reads_the_names_of_all_keys_that_it_writes) {
+    std::set<std::string_view> names;
+    for (std::size_t row = 0; row < kUsual.size(); ++row) {
+        EXPECT_EQ(chord_of(text_of(kUsual.at(row))), kUsual.at(row)) << text_of(kUsual.at(row));
+        EXPECT_TRUE(names.insert(kUsual.name(row)).second) << kUsual.name(row);
+    }
+    EXPECT_EQ(chord_of(""), Chord{});
+    EXPECT_EQ(chord_of("Ctrl+Alt+Shift+\\"), (Chord{key('\\'), {true, true, true}}));
+    for (const char* none : {"Ctrl+", "Hyper+A", "a", "F13", "Shift+Ctrl+A", " "})
+        EXPECT_FALSE(chord_of(none)) << none;
+}
+
+TEST(Input, obeys_a_changed_map_and_none_but_the_program_s_keys_beside_the_menu) {
+    KeyMap map;
+    Input input(map);
+    const auto verbs = [&](Key key, KeysKept kept) {
+        Actions actions;
+        input.take(std::vector<Event>{KeyEvent{key, true, false, {}}}, {}, {.keys = kept}, actions);
+        return actions.size();
+    };
+    for (std::size_t row = 0; row < map.size(); ++row)
+        if (map.name(row) == "pause") map.bind(row, {key('K'), {}});
+    EXPECT_EQ(verbs(Key::kSpace, KeysKept::kNone), 0u);
+    EXPECT_EQ(verbs(key('K'), KeysKept::kNone), 1u);
+    EXPECT_EQ(verbs(key('K'), KeysKept::kOfWorld), 0u);
+    EXPECT_EQ(verbs(Key::kEscape, KeysKept::kOfWorld), 1u);
+    EXPECT_EQ(verbs(function_key(12), KeysKept::kOfWorld), 1u);
+    EXPECT_EQ(verbs(function_key(12), KeysKept::kAll), 0u);
 }
 
 // On a slow machine the cursor is elsewhere by the end of the frame.

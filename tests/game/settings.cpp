@@ -53,6 +53,14 @@ Settings changed() {
     settings.tier = Tier::kBalanced;
     settings.width = 1600, settings.height = 900;
     settings.fullscreen = true;
+    const auto bind = [&](std::string_view name, Chord chord) {
+        for (std::size_t row = 0; row < settings.keys.size(); ++row)
+            if (settings.keys.name(row) == name) settings.keys.bind(row, chord);
+    };
+    bind("pause", {key('P'), {}});
+    bind("undo", {key('\\'), {true, true, false}});
+    bind("forward", {Key::kSpace, {}});
+    bind("rewind", {});
     return settings;
 }
 
@@ -98,14 +106,27 @@ TEST_F(KeptSettings, that_are_damaged_are_set_aside_with_a_sentence) {
         text.replace(text.find(what), what.size(), instead);
         return text;
     };
-    for (const std::string& text :
-         {with("version = 1", ""), with("version = 1", "version = \"one\""),
-          with("version = 1", "version = 0"), with("volume = 0.3", "volume = 30"),
-          with("volume = 0.3", "volume = nan"), with("contours = true", "contours = 1"),
-          with("contours", "kontours"), with("[sound]", "[song]"), with("\"balanced\"", "\"best\""),
-          with("width = 1600", "width = 1600.5"), with("width = 1600", "width = -1"),
-          with("[window]", "[window"), whole.substr(0, whole.size() / 2), std::string("\0\xff", 2),
-          whole + whole, std::string(2000000, '#')}) {
+    for (const std::string& text : {with("version = 1", ""),
+                                    with("version = 1", "version = \"one\""),
+                                    with("version = 1", "version = 0"),
+                                    with("volume = 0.3", "volume = 30"),
+                                    with("volume = 0.3", "volume = nan"),
+                                    with("contours = true", "contours = 1"),
+                                    with("contours", "kontours"),
+                                    with("[sound]", "[song]"),
+                                    with("\"balanced\"", "\"best\""),
+                                    with("width = 1600", "width = 1600.5"),
+                                    with("width = 1600", "width = -1"),
+                                    with("[window]", "[window"),
+                                    with("pause = \"P\"", "pause = \"Hyper+P\""),
+                                    with("pause = \"P\"", "pause = \"Space\""),
+                                    with("\"Space\"", "\"Shift+Space\""),
+                                    with("pause = \"P\"", "close = \"P\""),
+                                    with("pause = \"P\"", "pauze = \"P\""),
+                                    whole.substr(0, whole.size() / 2),
+                                    std::string("\0\xff", 2),
+                                    whole + whole,
+                                    std::string(2000000, '#')}) {
         SCOPED_TRACE(text.substr(0, 40));
         ASSERT_TRUE(write_text(file(), text));
         SettingsFile read = SettingsFile::of_user();

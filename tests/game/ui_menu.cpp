@@ -108,10 +108,55 @@ TEST_F(UiMenu, goes_back_from_a_page_and_closes_for_a_panel) {
     EXPECT_EQ(only<Verb>(click("Other scenes")), Verb::kMenu);
 }
 
+TEST_F(UiMenu, gives_an_action_the_key_that_is_pressed) {
+    open_page("Keys");
+    const auto row_of = [&](std::string_view name) {
+        std::size_t row = 0;
+        while (keys_.name(row) != name) ++row;
+        return row;
+    };
+    EXPECT_TRUE(click("key of dig").empty());
+    EXPECT_EQ(ui_->keeps_keys(), KeysKept::kAll);
+    screen_.tap(key('K'));
+    const BindKey bound = only<BindKey>(frame());
+    EXPECT_EQ(bound.row, row_of("dig"));
+    EXPECT_EQ(bound.key, key('K'));
+    keys_.bind(bound.row, {bound.key, bound.with});
+    settle();
+    EXPECT_EQ(ui_->keeps_keys(), KeysKept::kOfWorld);
+
+    EXPECT_TRUE(click("key of dig").empty());
+    screen_.tap(Key::kEscape);
+    settle();
+    EXPECT_FALSE(ui_->find("Conflict"));
+
+    EXPECT_TRUE(click("key of dig").empty());
+    screen_.tap(key('1'));  // is that of pouring
+    settle();
+    EXPECT_TRUE(ui_->find("Conflict"));
+    EXPECT_TRUE(click("Leave it").empty());
+    settle();
+    EXPECT_FALSE(ui_->find("Conflict"));
+
+    EXPECT_TRUE(click("key of dig").empty());
+    screen_.tap(key('1'));
+    settle();
+    const Actions swapped = click("Swap");
+    ASSERT_EQ(swapped.size(), 2u);
+    for (const Action& action : swapped) {
+        const auto& bind = std::get<BindKey>(action);
+        keys_.bind(bind.row, {bind.key, bind.with});
+    }
+    EXPECT_EQ(keys_.at(row_of("dig")).key, key('1'));
+    EXPECT_EQ(keys_.at(row_of("pour")).key, key('K'));
+    settle();
+    only<ResetKeys>(click("All usual keys"));
+}
+
 TEST_F(UiMenu, has_every_page_on_a_small_screen_and_with_large_letters) {
     for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {1280, 720, 2}, {800, 600, 1}, {2560, 1440, 2}}) {
         begin_anew(size);
-        for (const char* page : {"Challenges", "Free play", "My hill", "Watch", "Settings"}) {
+        for (const char* page : {"Challenges", "Free play", "My hill", "Watch", "Settings", "Keys"}) {
             open_page(page);
             const auto at = place("Page of the menu");
             EXPECT_GE(at.width, size.width * 0.3) << page;

@@ -148,13 +148,13 @@ TEST_F(UiPhysics, lets_nobody_change_the_steps_of_the_computation) {
 }
 
 TEST_F(UiPhysics, keeps_the_keys_only_while_a_number_is_typed) {
-    EXPECT_FALSE(ui_->keeps_keys());
+    EXPECT_EQ(ui_->keeps_keys(), KeysKept::kNone);
     click("deposit speed");
     frame();
-    EXPECT_TRUE(ui_->keeps_keys());
+    EXPECT_EQ(ui_->keeps_keys(), KeysKept::kOfText);
     screen_.tap(Key::kEnter);
     settle();
-    EXPECT_FALSE(ui_->keeps_keys());
+    EXPECT_EQ(ui_->keeps_keys(), KeysKept::kNone);
 }
 
 TEST_F(UiPhysics, edits_as_text_fields_do) {
