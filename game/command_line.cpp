@@ -36,6 +36,7 @@ constexpr Range<int> kThreads{1, kMostThreads};
 constexpr Range<int> kSquares{8, 4096, "squares"};
 constexpr Range<double> kSlopes{0, 90, "degrees"};
 constexpr Range<int> kPixels{16, 8192, "pixels"};
+constexpr Range<int> kFps{1, 120};
 constexpr Range<int> kDevices{0, 255};
 constexpr Range<std::int64_t> kTicks{0, 1'000'000'000, "ticks"};
 constexpr Range<std::int64_t> kStride{1, 1'000'000, "ticks"};
@@ -315,40 +316,59 @@ void add_pictures(CLI::App& app, PictureOptions& options, const char* where, std
     add_gl(app, options.gl);
 }
 
+// Throws its error message as a CLI11 exception.
+Viewpoint viewpoint_from(const std::string& text) {
+    std::array<double, kViewpoint.size()> numbers{};
+    std::string_view rest = text;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::size_t comma = rest.find(',');
+        if ((comma == rest.npos) != (i + 1 == numbers.size()))
+            throw CLI::ValidationError("--camera", "'" + text + "' is not five numbers separated by ','");
+        numbers[i] = number_of("--camera", rest.substr(0, comma), kViewpoint[i]);
+        rest.remove_prefix(std::min(comma, rest.size() - 1) + 1);
+    }
+    return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+}
+
+// `film`: of a film, whose camera may move; null if there is none.
+void add_camera(CLI::App& app, std::optional<Viewpoint>& view, FilmView* film) {
+    std::string help =
+        "look at the place EAST,NORTH (m) from this azimuth (0 north, 90 east; deg), height above the "
+        "horizon (2 to 89 deg) and distance (m) [the scene's camera]";
+    if (film)
+        help +=
+            "; a film also: chase (stays ahead of the front), front (looks up from where the slide comes to "
+            "rest), top (sees all from above), scene";
+    app.add_option_function<std::string>(
+           "--camera",
+           [&view, film](const std::string& text) {
+               const auto named = film ? film_view_from(text) : std::nullopt;
+               if (named)
+                   *film = *named;
+               else
+                   view = viewpoint_from(text);
+           },
+           help)
+        ->type_name("EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE");
+}
+
 // What a page has, and from where pictures and page are seen.
 template <class Options>
-void add_page(CLI::App& app, Options& options, std::optional<Viewpoint>& view) {
+void add_page(CLI::App& app, Options& options, std::optional<Viewpoint>& view, FilmView* film = nullptr) {
     app.add_flag("--watch-only", options.watch_only,
                  "leave the world out of the page: nobody can take over, and it is 0.7 MB smaller or more");
     add_bytes(app, "--size-limit", options.most_bytes, "8M",
               "refuse a page that is larger; suffixes K, M, G, T [32000000]");
-    app.add_option_function<std::string>(
-           "--camera",
-           [&view](const std::string& text) {
-               std::array<double, kViewpoint.size()> numbers{};
-               std::string_view rest = text;
-               for (std::size_t i = 0; i < numbers.size(); ++i) {
-                   const std::size_t comma = rest.find(',');
-                   if ((comma == rest.npos) != (i + 1 == numbers.size()))
-                       throw CLI::ValidationError("--camera",
-                                                  "'" + text + "' is not five numbers separated by ','");
-                   numbers[i] = number_of("--camera", rest.substr(0, comma), kViewpoint[i]);
-                   rest.remove_prefix(std::min(comma, rest.size() - 1) + 1);
-               }
-               view = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
-           },
-           "look at the place EAST,NORTH (m) from this azimuth (0 north, 90 east; deg), height above the "
-           "horizon (2 to 89 deg) and distance (m) [the scene's camera]")
-        ->type_name("EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE");
+    add_camera(app, view, film);
 }
 
-void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view) {
+void add_web(CLI::App& app, WebOptions& options, std::optional<Viewpoint>& view, FilmView* film = nullptr) {
     app.add_option("--web", options.file,
                    "write one page that plays the slide in any browser, with its numbers, and lets a person "
                    "take it over "
                    "there; --every is 6 ticks there unless given")
         ->type_name("FILE.html");
-    add_page(app, options, view);
+    add_page(app, options, view, film);
 }
 
 void add_results(CLI::App& app, ResultOptions& options) {
@@ -442,6 +462,16 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_step_options(app, options.step_options);
 }
 
+void add_film(CLI::App& app, FilmOptions& options) {
+    auto* video = app.add_option("--video", options.file,
+                                 "write a film of the slide with its sound, through the program ffmpeg: .mp4 "
+                                 "(H.264), .webm (VP9) or .mkv (AV1), in the size of --size, which is even")
+                      ->type_name("FILE.mp4");
+    add_number(app, "--fps", "N", options.fps, kFps, "show so many images per second in the film", "60")
+        ->needs(video);
+    app.add_flag("--silent", options.silent, "make the film without sound");
+}
+
 void add_replay(CLI::App& app, ReplayOptions& options) {
     app.add_option("recording", options.recording, "name from `couloir list`, or a file")
         ->type_name("RECORDING")
@@ -464,15 +494,16 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
     add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
-    add_web(app, options.web, options.view);
+    add_web(app, options.web, options.view, &options.film.view);
+    add_film(app, options.film);
     app.add_option(
            "--audio", options.audio,
            "write what is heard at the camera to this file: as long as the replay, two channels, 16 bits")
         ->type_name("FILE.wav");
     add_look(app, options.look);
     app.add_flag_callback(
-        "--no-render", [&options] { options.pictures.folder.reset(); },
-        "disable rendering (overrides --frames)");
+        "--no-render", [&options] { options.pictures.folder.reset(), options.film = {}; },
+        "disable rendering (overrides --frames and --video)");
     add_results(app, options.results);
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
@@ -873,6 +904,12 @@ Outcome<void> check(RunOptions& options) {
         return unusable(fmt::format(
             "--export-name: '{}' is not two parts of letters and digits, separated by one underscore",
             *options.export_name));
+    return {};
+}
+
+Outcome<void> check(const ReplayOptions& options) {
+    if (!options.film.file && (options.film.view != FilmView::kScene || options.film.silent))
+        return unusable("--silent, and a name for --camera, are of a film: add --video FILE.mp4");
     return {};
 }
 

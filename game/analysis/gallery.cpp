@@ -17,7 +17,7 @@ namespace game {
 struct Gallery::Parts {
     render::HeadlessContext context;  // first, because the renderer's GL names live in it
     render::Renderer renderer;
-    render::FrameWriter writer;
+    std::optional<render::FrameWriter> writer;  // none without a folder
     std::filesystem::path folder;
     PictureSize size;
     std::optional<render::Camera> camera;
@@ -34,22 +34,34 @@ struct Gallery::Parts {
         : context(std::move(gl)), renderer(std::move(with)) {}
 
     // Adds what all frames have in common to what `input` shows.
-    render::DrawTimes draw(render::FrameInput input, const std::string& name) {
+    render::Picture image(render::FrameInput input) {
         input.light = light;
         input.look = look;
         input.width = size.width;
         input.height = size.height;
         input.first_depth = first_depth;
         renderer.draw(input);
-        writer.submit(renderer.read_back(), folder / (name + ".png"));
+        return renderer.read_back();
+    }
+    render::DrawTimes draw(const render::FrameInput& input, const std::string& name) {
+        writer.value().submit(image(input), folder / (name + ".png"));
         ++pictures;
         return *renderer.stage_times();
     }
+    render::FrameInput input_of(const Session& session, const render::Camera& from) const {
+        return {.world = session.view(),
+                .camera = from,
+                .flow = session.fronts(),
+                .surroundings = &surroundings,
+                .powder = session.powder(),
+                .woods = &woods,
+                .flow_so_far = session.flow_so_far(),
+                .structures = &session.structures(),
+                .wind = wind,
+                .seconds = session.seconds()};
+    }
 };
 
-namespace {
-
-// A camera straight above the middle, just high enough to see all of it.
 render::Camera map_camera(const sim::View& world, double aspect) {
     const double width = (world.grid.nx - 1) * static_cast<double>(world.grid.dx);
     const double height = (world.grid.ny - 1) * static_cast<double>(world.grid.dx);
@@ -70,11 +82,10 @@ render::Camera map_camera(const sim::View& world, double aspect) {
     return camera;
 }
 
-}  // namespace
-
-Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
-                               const Scenario& scenario) {
-    if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+Outcome<Gallery> Gallery::open(const std::optional<std::filesystem::path>& folder, PictureSize size,
+                               const std::string& gl, const Scenario& scenario) {
+    if (folder)
+        if (auto made = make_folder(*folder); !made) return tl::unexpected(made.error());
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto context = render::HeadlessContext::create(gl);
@@ -87,7 +98,7 @@ Outcome<Gallery> Gallery::open(const std::filesystem::path& folder, PictureSize 
 
     renderer->time_stages(render::suitable_timing());
     auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));
-    parts->folder = folder;
+    if (folder) parts->writer.emplace(), parts->folder = *folder;
     parts->size = size;
     parts->camera = scenario.camera;
     parts->light = scenario.light;
@@ -108,19 +119,12 @@ Gallery::Gallery(Gallery&&) noexcept = default;
 Gallery& Gallery::operator=(Gallery&&) noexcept = default;
 
 render::DrawTimes Gallery::draw(const Session& session, const std::string& name) {
-    const sim::View world = session.view();
-    if (!parts_->camera) parts_->camera = render::overview(world);
-    return parts_->draw({.world = world,
-                         .camera = *parts_->camera,
-                         .flow = session.fronts(),
-                         .surroundings = &parts_->surroundings,
-                         .powder = session.powder(),
-                         .woods = &parts_->woods,
-                         .flow_so_far = session.flow_so_far(),
-                         .structures = &session.structures(),
-                         .wind = parts_->wind,
-                         .seconds = session.seconds()},
-                        name);
+    if (!parts_->camera) parts_->camera = render::overview(session.view());
+    return parts_->draw(parts_->input_of(session, *parts_->camera), name);
+}
+
+render::Picture Gallery::image(const Session& session, const render::Camera& camera) {
+    return parts_->image(parts_->input_of(session, camera));
 }
 
 // A map ends at its border.
@@ -134,7 +138,8 @@ std::string Gallery::notice() const {
 }
 
 Outcome<void> Gallery::close() {
-    if (auto written = parts_->writer.finish(); !written) return machine_fails(written.error());
+    if (parts_->writer)
+        if (auto written = parts_->writer->finish(); !written) return machine_fails(written.error());
     return {};
 }
 
@@ -148,6 +153,12 @@ render::DrawnBy Gallery::drawn_by() const {
 }
 int Gallery::pictures() const {
     return parts_->pictures;
+}
+PictureSize Gallery::size() const {
+    return parts_->size;
+}
+const render::Surroundings& Gallery::surroundings() const {
+    return parts_->surroundings;
 }
 
 }  // namespace game

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "game/scene/scenario.h"
 #include "game/session/session.h"
 #include "render/gl/draw_times.h"
+#include "render/mountain/surroundings.h"
+#include "render/pictures/picture.h"
+#include "render/view/camera.h"
 
 namespace game {
 
@@ -20,13 +24,17 @@ struct PictureSize {
 // any characters: ticks, maps, the divergence of two runs.
 inline const std::vector<std::string> kFrameNames{"tick_*.png", "map_*.png", "desync.png"};
 
-// Draws a world into numbered images without a window, and writes them while the world continues.
+// A camera straight above the middle, just high enough to see all of the ground, with north up. `aspect`: of the image,
+// width / height.
+render::Camera map_camera(const sim::View& world, double aspect);
+
+// Draws a world into images without a window, and writes numbered ones while the world continues.
 class Gallery {
   public:
-    // `gl` as in render::HeadlessContext::create. Makes `folder`.
+    // `gl` as in render::HeadlessContext::create. Makes `folder`; without one, only image() draws.
     // Errors: no GL, or the folder cannot be written (status 3).
-    static Outcome<Gallery> open(const std::filesystem::path& folder, PictureSize size, const std::string& gl,
-                                 const Scenario& scenario);
+    static Outcome<Gallery> open(const std::optional<std::filesystem::path>& folder, PictureSize size,
+                                 const std::string& gl, const Scenario& scenario);
     ~Gallery();
     Gallery(Gallery&&) noexcept;
     Gallery& operator=(Gallery&&) noexcept;
@@ -36,6 +44,8 @@ class Gallery {
     render::DrawTimes draw(const Session& session, const std::string& name);
     // Seen from straight above, with north up.
     render::DrawTimes draw_map(const sim::View& world, const std::string& name);
+    // The world now as `camera` sees it, without a file.
+    render::Picture image(const Session& session, const render::Camera& camera);
     // What the user should know of the frames; may be empty.
     std::string notice() const;
     // Waits for the last image. Errors: one could not be written (status 3).
@@ -44,6 +54,8 @@ class Gallery {
     std::string renderer_name() const;
     render::DrawnBy drawn_by() const;
     int pictures() const;
+    PictureSize size() const;
+    const render::Surroundings& surroundings() const;
 
   private:
     struct Parts;

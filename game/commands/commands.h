@@ -11,6 +11,7 @@
 #include "game/base/outcome.h"
 #include "game/bench/canvas.h"
 #include "game/bench/measure.h"
+#include "game/commands/filmed_session.h"
 #include "game/compare/edit.h"
 #include "game/controls/tier.h"
 #include "game/scene/memory.h"
@@ -49,6 +50,7 @@ inline PageOptions page_options(const WebOptions& web, const PictureOptions& pic
 struct OutputOptions {
     PictureOptions pictures;
     WebOptions web;
+    FilmOptions film;  // of `replay` alone
     ResultOptions results;
 };
 

@@ -10,8 +10,11 @@
 namespace game {
 namespace {
 
+bool draws(const OutputOptions& options) {
+    return options.pictures.folder || options.film.file;
+}
 bool shows_fronts(const OutputOptions& options) {
-    return options.pictures.folder || options.results.perf || options.results.trace;
+    return draws(options) || options.results.perf || options.results.trace;
 }
 
 }  // namespace
@@ -19,20 +22,21 @@ bool shows_fronts(const OutputOptions& options) {
 void Outputs::add_to(WorldUse& use, const OutputOptions& options) {
     use.draws = shows_fronts(options);
     use.page = options.web.file.has_value();
-    if (options.pictures.folder) use.frames = {options.pictures.size.width, options.pictures.size.height};
+    if (draws(options)) use.frames = {options.pictures.size.width, options.pictures.size.height};
 }
 
 void Outputs::add_to(FileUse& use, const OutputOptions& options) {
-    if (options.pictures.folder) use.reads(drawing_assets());
+    if (draws(options)) use.reads(drawing_assets());
     if (options.web.file) use.reads(page_assets());
     use.writes("--web", options.web.file);
+    use.writes("--video", options.film.file);
     add_outputs(options.results, use);
 }
 
 Outcome<Outputs> Outputs::begin(const OutputOptions& options, const Scenario& scenario, Session& session,
                                 std::string proof) {
     Outputs outputs(options);
-    if (options.pictures.folder || options.web.file) session.follow_powder(scenario);
+    if (draws(options) || options.web.file) session.follow_powder(scenario);
     if (!options.web.file) return outputs;
     auto page =
         SlidePage::begin(scenario, session, std::move(proof), page_options(options.web, options.pictures));
@@ -46,8 +50,8 @@ Outcome<void> Outputs::open(const Scenario& scenario) {
     if (options_->web.file)
         if (auto placed = make_place_for(*options_->web.file); !placed) return placed;
     const PictureOptions& pictures = options_->pictures;
-    if (!pictures.folder) return {};
-    auto gallery = Gallery::open(*pictures.folder, pictures.size, pictures.gl, scenario);
+    if (!draws(*options_)) return {};
+    auto gallery = Gallery::open(pictures.folder, pictures.size, pictures.gl, scenario);
     if (!gallery) return tl::unexpected(gallery.error());
     gallery_ = std::move(*gallery);
     return {};
@@ -62,7 +66,7 @@ Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurround
     if (gallery_) surroundings.drawn = gallery_->drawn_by();
     perf_.emplace(surroundings, options_->results.log_keeps());
     Watchers watchers;
-    watchers.gallery = gallery_ ? &*gallery_ : nullptr;
+    watchers.gallery = options_->pictures.folder ? &*gallery_ : nullptr;
     watchers.ticks_per_picture = options_->pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &*perf_;
     if (page_) watchers.keep = [this](const Session& now) { return page_->see(now); };
@@ -70,7 +74,7 @@ Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurround
 }
 
 void Outputs::draw_results(const Session& session) {
-    if (gallery_) game::draw_results(*gallery_, session);
+    if (options_->pictures.folder) game::draw_results(*gallery_, session);
 }
 
 Outcome<void> Outputs::close(const Session& session, std::span<const TimedCommand> commands) {

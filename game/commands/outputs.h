@@ -31,6 +31,8 @@ class Outputs {
     Outcome<void> close(const Session& session, std::span<const TimedCommand> commands);
 
     const PerfLog& perf() const { return *perf_; }
+    // Which draws the film; there is one if there are frames or a film.
+    Gallery& gallery() { return *gallery_; }
 
   private:
     explicit Outputs(const OutputOptions& options) : options_(&options) {}

@@ -83,6 +83,11 @@ std::optional<std::string> fault_of_claim(const std::optional<ClaimLine>& claim,
 Outcome<int> replay(const ReplayOptions& options) {
     const auto path = find_asset(AssetKind::kRecording, options.recording);
     if (!path) return tl::unexpected(path.error());
+    if (options.film.file)
+        if (auto fits = Film::check(*options.film.file, {options.pictures.size.width,
+                                                         options.pictures.size.height, options.film.fps});
+            !fits)
+            return tl::unexpected(fits.error());
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
     Outputs::add_to(memory.use, options);
@@ -111,19 +116,33 @@ Outcome<int> replay(const ReplayOptions& options) {
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     use.writes("--audio", options.audio);
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
+    const std::int64_t last = options.until.value_or(recording->last_tick());
+    std::optional<render::Camera> front;  // where the film is seen from
+    if (options.film.file && options.film.view == FilmView::kFront) {
+        auto found = front_camera(scenario, recording->commands, last, options.step_options);
+        if (!found) return tl::unexpected(found.error());
+        front = *found;
+    }
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     auto outputs = Outputs::begin(options, scenario, *session, proof_of(options.recording));
     if (!outputs) return tl::unexpected(outputs.error());
     if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
-    const std::int64_t last = options.until.value_or(recording->last_tick());
+    const render::Camera camera = scenario.camera.value_or(render::overview(session->view()));
     std::optional<sound::SoundFile> audio;
     if (options.audio) {
         session->follow_powder(scenario);  // which is heard too
-        auto opened = sound::SoundFile::open(*options.audio, *session, last,
-                                             scenario.camera.value_or(render::overview(session->view())));
+        auto opened = sound::SoundFile::open(*options.audio, *session, last, camera);
         if (!opened) return tl::unexpected(opened.error());
         audio.emplace(std::move(*opened));
+    }
+    std::optional<FilmedSession> film;
+    if (options.film.file) {
+        auto opened =
+            FilmedSession::open(options.film, *session, last, front.value_or(camera), outputs->gallery());
+        if (!opened) return tl::unexpected(opened.error());
+        film.emplace(std::move(*opened));
+        if (!film->notice().empty()) print_line(stderr, "couloir: {}", film->notice());
     }
     Verifier verifier(*recording);
     Referee referee(scenario, recording->commands);
@@ -150,17 +169,23 @@ Outcome<int> replay(const ReplayOptions& options) {
         self_check.parted = lockstep->follow(now.state());
         self_check.ticks = now.state().tick;
     };
-    if (audio)
+    if (audio || film)
         watchers.keep = [&, page = watchers.keep](const Session& now) -> Outcome<void> {
             if (page)
                 if (auto kept = page(now); !kept) return kept;
             std::vector<sim::Command> due;
             for (const TimedCommand& each : commands_at(recording->commands, now.state().tick - 1))
                 due.push_back(each.command);
-            return audio->see(now, due);
+            if (audio)
+                if (auto heard = audio->see(now, due); !heard) return heard;
+            return film ? film->see(now, due) : Outcome<void>();
         };
-    if (auto played = play_headless(*session, recording->commands, until, watchers, "replaying"); !played)
+    if (auto played =
+            play_headless(*session, recording->commands, until, watchers, film ? "filming" : "replaying");
+        !played)
         return tl::unexpected(played.error());
+    if (film)
+        if (auto closed = film->close(); !closed) return tl::unexpected(closed.error());
     if (audio)
         if (auto closed = audio->close(); !closed) return tl::unexpected(closed.error());
     if (auto closed = outputs->close(*session, recording->commands); !closed)

@@ -21,6 +21,8 @@ class SoundFile {
     static Outcome<SoundFile> open(const std::filesystem::path& path, const Session& session,
                                    std::int64_t ticks, const render::Camera& camera);
 
+    // From now on heard there.
+    void hear_at(const render::Camera& camera) { camera_ = camera; }
     // Call after each tick, with the commands at its start. Errors: it cannot be written (3).
     Outcome<void> see(const Session& session, std::span<const sim::Command> commands);
     // After the last. Errors: as see().

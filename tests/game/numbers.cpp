@@ -125,6 +125,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"FILE.json", {}},
     {"FILE.html", {}},
     {"FILE.wav", {}},
+    {"FILE.mp4", {}},
     {"R.npy", {}}};
 
 bool is_whole(const std::string& type) {

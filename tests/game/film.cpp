@@ -1,0 +1,309 @@
+// Films: what ffmpeg is asked for and given, and what is left when it fails. A script plays ffmpeg where that matters.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+
+#include <gtest/gtest.h>
+
+#include "game/controls/film_camera.h"
+#include "game/files/film.h"
+#include "game/scene/mountains.h"
+#include "game/scene/scene.h"
+#include "game/session/session.h"
+#include "render/mountain/overview.h"
+#include "tests/game/full_disk.h"
+#include "tests/game/program.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Film::Format kSmall{160, 90, 30};
+constexpr std::size_t kBytes = 160 * 90 * 3;  // of an image
+
+render::Picture picture(int i = 0) {
+    return {kSmall.width, kSmall.height, std::vector<std::uint8_t>(kBytes, static_cast<std::uint8_t>(20 * i)),
+            3};
+}
+
+// Programs are looked for there first while it lives, or there alone.
+class SearchPath {
+  public:
+    explicit SearchPath(const fs::path& folder, bool alone = false) : before_(std::getenv("PATH")) {
+        setenv("PATH", alone ? folder.c_str() : (folder.string() + ":" + before_).c_str(), 1);
+    }
+    ~SearchPath() { setenv("PATH", before_.c_str(), 1); }
+    SearchPath(const SearchPath&) = delete;
+    SearchPath& operator=(const SearchPath&) = delete;
+
+  private:
+    std::string before_;
+};
+
+// A folder with an ffmpeg that knows these encoders, writes its arguments and what it is given to files there, and ends
+// with `then`, a line of shell in which "$into" is the file that it should write.
+class FakeFfmpeg {
+  public:
+    explicit FakeFfmpeg(const std::string& then,
+                        const std::string& encoders = "libx264 aac libvpx-vp9 libopus libsvtav1 libaom-av1") {
+        fs::create_directory(programs());
+        std::string script = "#!/bin/sh\nhere='" + folder_.path().string() + "'\n";
+        script += "case \"$*\" in *-encoders*) for each in " + encoders +
+                  "; do echo \" V..... $each it\"; done; exit 0;; esac\n";
+        script += "printf '%s\\n' \"$@\" >> \"$here/arguments\"\n";
+        script += "for into in \"$@\"; do :; done\ninto=${into#file:}\n";
+        script += then + "\n";
+        write_bytes(programs() / "ffmpeg", script);
+        chmod((programs() / "ffmpeg").c_str(), 0755);
+        fs::create_directory(films());
+    }
+    fs::path programs() const { return folder_.path() / "programs"; }
+    fs::path films() const { return folder_.path() / "films"; }
+    std::string arguments() const { return read_bytes(folder_.path() / "arguments"); }
+    // Whether these words follow each other.
+    bool was_given(std::string words) const {
+        std::replace(words.begin(), words.end(), ' ', '\n');
+        return ("\n" + arguments()).find("\n" + words + "\n") != std::string::npos;
+    }
+
+  private:
+    support::TemporaryFolder folder_;
+};
+
+std::size_t files_in(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+// Makes a film of so many images. It ends early at an error.
+Outcome<void> film(const fs::path& path, int images, const std::optional<fs::path>& wav = std::nullopt) {
+    auto film = Film::open(path, kSmall);
+    if (!film) return tl::unexpected(film.error());
+    for (int i = 0; i < images; ++i)
+        if (auto added = film->add(picture(i)); !added) return added;
+    EXPECT_EQ(film->frames(), images);
+    return film->close(wav);
+}
+
+constexpr const char* kKeeps = "cat > \"$into\"";
+
+TEST(Film, gives_ffmpeg_every_byte_of_every_image_in_order_and_its_size_and_rate) {
+    const FakeFfmpeg fake(kKeeps);
+    const SearchPath path(fake.programs());
+    const fs::path file = fake.films() / "a 'b\"$(c).mp4";
+    ASSERT_TRUE(film(file, 10));
+    const std::string bytes = read_bytes(file);
+    ASSERT_EQ(bytes.size(), 10 * kBytes);
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_EQ(bytes[i * kBytes], static_cast<char>(20 * i));
+        EXPECT_EQ(bytes[(i + 1) * kBytes - 1], static_cast<char>(20 * i));
+    }
+    EXPECT_TRUE(fake.was_given("-f rawvideo -pixel_format rgb24 -video_size 160x90 -framerate 30 -i pipe:0"))
+        << fake.arguments();
+    EXPECT_EQ(files_in(fake.films()), 1u);
+}
+
+TEST(Film, is_encoded_as_its_ending_says) {
+    struct Case {
+        const char *ending, *encoder, *format, *sound;
+    };
+    for (const Case& each : {Case{".mp4", "libx264", "mp4", "aac"},
+                             {".webm", "libvpx-vp9", "webm", "libopus"},
+                             {".mkv", "libsvtav1", "matroska", "libopus"}}) {
+        SCOPED_TRACE(each.ending);
+        const FakeFfmpeg fake(kKeeps);
+        const SearchPath path(fake.programs());
+        const fs::path wav = fake.programs() / "a.wav";
+        write_bytes(wav, "sound");
+        ASSERT_TRUE(film(fake.films() / (std::string("a") + each.ending), 1, wav));
+        EXPECT_TRUE(fake.was_given(std::string("-c:v ") + each.encoder)) << fake.arguments();
+        EXPECT_TRUE(fake.was_given(std::string("-f ") + each.format)) << fake.arguments();
+        EXPECT_TRUE(fake.was_given(std::string("-c:v copy -c:a ") + each.sound)) << fake.arguments();
+        EXPECT_TRUE(fake.was_given("-f wav -i file:" + wav.string())) << fake.arguments();
+        EXPECT_EQ(fake.was_given("-movflags +faststart"), std::string(each.ending) == ".mp4");
+        EXPECT_EQ(files_in(fake.films()), 1u);
+    }
+    const FakeFfmpeg fake(kKeeps, "libaom-av1 libopus");
+    const SearchPath path(fake.programs());
+    ASSERT_TRUE(film(fake.films() / "a.mkv", 1));
+    EXPECT_TRUE(fake.was_given("-c:v libaom-av1")) << "the other encoder of AV1 is missing";
+    const auto lacking = film(fake.films() / "a.mp4", 1);
+    ASSERT_FALSE(lacking);
+    EXPECT_EQ(lacking.error().status, Failure::kMachine);
+    EXPECT_NE(lacking.error().sentence.find("libx264"), std::string::npos) << lacking.error().sentence;
+}
+
+TEST(Film, is_refused_with_another_ending_an_odd_side_or_without_images) {
+    const FakeFfmpeg fake(kKeeps);
+    const SearchPath path(fake.programs());
+    for (const char* name : {"a.avi", "a", "a.MP4", ".mp4", "mp4"}) {
+        const auto open = Film::open(fake.films() / name, kSmall);
+        ASSERT_FALSE(open) << name;
+        EXPECT_EQ(open.error().status, Failure::kUnusable);
+    }
+    for (const Film::Format odd : {Film::Format{161, 90, 30}, Film::Format{160, 91, 30}})
+        EXPECT_EQ(Film::check("a.mp4", odd).error().status, Failure::kUnusable);
+    EXPECT_EQ(film(fake.films() / "a.mp4", 0).error().status, Failure::kUnusable);
+    EXPECT_EQ(files_in(fake.films()), 0u);
+}
+
+TEST(Film, of_which_ffmpeg_dies_is_the_machines_failure_with_its_reason_and_leaves_nothing) {
+    const fs::path wav = "/dev/null";
+    const std::string first_only = "case \"$*\" in *copy*) echo no room >&2; exit 1;; esac; cat > \"$into\"";
+    struct Case {
+        std::string then, reason;
+    };
+    for (const Case& each :
+         {Case{"echo started > \"$into\"; echo one >&2; echo No space left >&2; exit 1", "No space left"},
+          {"cat > \"$into\"; echo Late >&2; echo 'Conversion failed!' >&2; exit 187", "Late"},
+          {"exit 7", "status 7"},
+          {"kill -9 $$", "signal 9"},
+          {"head -c 100 > \"$into\"; exit 0", "before the film"},
+          {first_only, "no room"}}) {
+        SCOPED_TRACE(each.then);
+        const FakeFfmpeg fake(each.then);
+        const SearchPath path(fake.programs());
+        const fs::path file = fake.films() / "a.mp4";
+        write_bytes(file, "the film before");
+        const auto made = film(file, 40, each.then == first_only ? std::optional(wav) : std::nullopt);
+        ASSERT_FALSE(made);
+        EXPECT_EQ(made.error().status, Failure::kMachine);
+        EXPECT_EQ(made.error().sentence.rfind(file.string() + ": ", 0), 0u);
+        EXPECT_NE(made.error().sentence.find(each.reason), std::string::npos) << made.error().sentence;
+        EXPECT_EQ(read_bytes(file), "the film before");
+        EXPECT_EQ(files_in(fake.films()), 1u);
+    }
+}
+
+TEST(Film, that_is_dropped_ends_ffmpeg_at_once_and_leaves_nothing) {
+    const FakeFfmpeg fake("exec sleep 60");  // which reads nothing
+    const SearchPath path(fake.programs());
+    const auto began = std::chrono::steady_clock::now();
+    {
+        auto film = Film::open(fake.films() / "a.mp4", {640, 480, 30});
+        ASSERT_TRUE(film);
+        ASSERT_TRUE(film->add({640, 480, std::vector<std::uint8_t>(640 * 480 * 3), 3}));
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+    EXPECT_EQ(files_in(fake.films()), 0u);
+}
+
+TEST(Film, without_ffmpeg_or_a_place_for_it_names_what_is_missing) {
+    const support::TemporaryFolder folder;
+    {
+        const SearchPath path(folder.path(), true);
+        const auto open = Film::open(folder.path() / "a.mp4", kSmall);
+        ASSERT_FALSE(open);
+        EXPECT_EQ(open.error().status, Failure::kMachine);
+        EXPECT_NE(open.error().sentence.find("apt install ffmpeg"), std::string::npos)
+            << open.error().sentence;
+        EXPECT_EQ(files_in(folder.path()), 0u);
+    }
+    const FakeFfmpeg fake(kKeeps);
+    const SearchPath path(fake.programs());
+    write_bytes(folder.path() / "file", "");
+    fs::create_directory(folder.path() / "folder.mp4");
+    for (const fs::path& nowhere : {folder.path() / "file" / "a.mp4", folder.path() / "folder.mp4"}) {
+        const auto open = Film::open(nowhere, kSmall);
+        ASSERT_FALSE(open);
+        EXPECT_EQ(open.error().status, Failure::kMachine);
+        EXPECT_NE(open.error().sentence.find((folder.path() / "f").string()), std::string::npos)
+            << open.error().sentence;
+    }
+}
+
+bool has_real_ffmpeg() {
+    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") == 0;
+}
+
+std::string probed(const fs::path& file) {
+    const support::TemporaryFolder folder;
+    const fs::path out = folder.path() / "out";
+    EXPECT_EQ(
+        std::system(("ffprobe -v error -count_frames -show_entries "
+                     "stream=codec_name,width,height,pix_fmt,r_frame_rate,nb_read_frames -of compact '" +
+                     file.string() + "' > '" + out.string() + "'")
+                        .c_str()),
+        0);
+    return read_bytes(out);
+}
+
+TEST(Film, of_the_real_ffmpeg_has_all_images_and_a_full_disk_leaves_nothing) {
+    if (!has_real_ffmpeg()) GTEST_SKIP() << "ffmpeg and ffprobe are not installed";
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "a.mp4";
+    const auto made = film(file, 10);
+    ASSERT_TRUE(made) << made.error().sentence;
+    const std::string streams = probed(file);
+    for (const char* fact : {"codec_name=h264", "width=160", "height=90", "pix_fmt=yuv420p",
+                             "r_frame_rate=30/1", "nb_read_frames=10"})
+        EXPECT_NE(streams.find(fact), std::string::npos) << fact << " is not in " << streams;
+    const fs::path second = folder.path() / "b.mp4";
+    const FullDisk full(1000);
+    const auto cut = film(second, 10);
+    ASSERT_FALSE(cut);
+    EXPECT_EQ(cut.error().status, Failure::kMachine);
+    EXPECT_NE(cut.error().sentence.find("too large"), std::string::npos) << cut.error().sentence;
+    EXPECT_EQ(files_in(folder.path()), 1u);
+}
+
+TEST(FilmCamera, stands_or_follows_the_front) {
+    Overrides overrides;
+    overrides.squares = 40;
+    const Scene scene = load_scene("winter-avalanche", overrides).value();
+    auto session = Session::begin(scene.scenario, {}, std::nullopt).value();
+    const render::Surroundings none;
+    const render::Camera home = render::overview(session.view());
+    FilmCamera stands(FilmView::kScene, home, session.view(), none);
+    FilmCamera follows(FilmView::kChase, home, session.view(), none);
+    EXPECT_EQ(stands.camera().target, home.target);
+    for (int tick = 0; tick < 300; ++tick) {
+        std::vector<sim::Command> due;
+        for (const TimedCommand& each : commands_at(scene.commands, tick)) due.push_back(each.command);
+        ASSERT_TRUE(session.advance(due));
+        for (FilmCamera* each : {&stands, &follows}) each->move(session.view(), none, 16. / 9, 1. / 60);
+    }
+    EXPECT_EQ(stands.camera().target, home.target);
+    EXPECT_LT(follows.camera().distance_m, home.distance_m);
+    EXPECT_NE(follows.camera().target, home.target);
+}
+
+// One run of the whole program, with a script for ffmpeg: ten images of twenty ticks, and their sound.
+TEST(FilmOfReplay, has_the_images_of_its_time_and_refuses_what_it_cannot_film) {
+    const FakeFfmpeg fake("case \"$*\" in *copy*) cp \"${into%.*.part}.2.part\" \"$here/wav\";; esac; " +
+                          std::string(kKeeps) + "; wc -c < \"$into\" >> \"$here/counts\"");
+    const SearchPath path(fake.programs());
+    const std::string file = (fake.films() / "a.mp4").string();
+    const auto replay = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"replay", "landslide", "--until", "20", "--size", "32x18"});
+        return couloir(more);
+    };
+    const Finished done = replay({"--video", file, "--fps", "30", "--camera", "chase"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    std::istringstream counts(read_bytes(fake.programs().parent_path() / "counts"));
+    std::size_t bytes = 0;
+    counts >> bytes;
+    EXPECT_EQ(bytes, 10u * 32 * 18 * 3);
+    EXPECT_EQ(files_in(fake.films()), 1u);
+    for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--video", file + ".avi"},
+                                                  {"--video", file, "--fps", "0"},
+                                                  {"--video", file, "--size", "33x18"},
+                                                  {"--fps", "30"},
+                                                  {"--camera", "chase"},
+                                                  {"--silent"},
+                                                  {"--video", file, "--until", "0"},
+                                                  {"--video", file, "--audio", file}}) {
+        const Finished refused = replay(wrong);
+        EXPECT_EQ(refused.status, 2) << wrong.back() << ": " << refused.err;
+    }
+}
+
+}  // namespace
+}  // namespace game::test
