@@ -113,10 +113,11 @@ bool App::frame() {
 
     // Input first, so that its effect is seen in this frame; panels before the world, because they lie on
     // top.
-    const auto events = watch_opening(screen_.poll());
+    const auto events = watch_opening(poll(elapsed_s));
     const ScreenSize size = screen_.size();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
     input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
+    input_.add(gamepad_.turn(), gamepad_.walk());
     perform_all();
     tell_results();
 
@@ -197,6 +198,25 @@ void App::lead() {
     sounds_.note(sound::Wave::kHint);
     if (*begun == Guide::Step::kBlast) hand_.choose(Tool::kBlast);
     if (const auto kept = tutorial_.keep(); !kept) warn(kept.error().sentence);
+}
+
+// What happened to the screen, and what a hand on a gamepad does as if it had a mouse.
+std::span<const Event> App::poll(double elapsed_s) {
+    const auto polled = screen_.poll();
+    const auto& pad = screen_.pad();
+    if (!pad && !gamepad_.is_there()) return polled;
+    if (!gamepad_.is_there())
+        tell(fmt::format("Gamepad: {}. Keys in the menu shows what its buttons do", screen_.pad_name()));
+    if (!pad) tell("The gamepad is gone. Mouse and keys work as before");
+    events_.assign(polled.begin(), polled.end());
+    if (!events_.empty()) gamepad_.yield();
+    gamepad_.take(pad,
+                  {.screen = screen_.size(),
+                   .flies = lookout_.control().mode() == CameraMode::kFly,
+                   .in_panels = ui_.shows_menu(),
+                   .elapsed_s = elapsed_s},
+                  events_, actions_);
+    return events_;
 }
 
 void App::perform_all() {
@@ -650,6 +670,7 @@ void App::draw_panels() {
             .notices = notices_,
             .catalogue = catalogue_,
             .keys = keys(),
+            .gamepad = gamepad_.is_there() ? &gamepad_ : nullptr,
             .timeline = timeline,
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
@@ -657,6 +678,7 @@ void App::draw_panels() {
             .now_s = now_s(),
             .image = image_.size(),
             .sharing = sharing_.progress(),
+            .filming = filming_.progress(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,
             .slide_ended = open_.results.may_share(),

@@ -9,6 +9,7 @@
 #include "game/app/best_list.h"
 #include "game/app/challenge_maker.h"
 #include "game/app/dam_lines.h"
+#include "game/app/filming.h"
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
 #include "game/app/results.h"
@@ -25,6 +26,7 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_clock.h"
+#include "game/controls/gamepad.h"
 #include "game/controls/hand.h"
 #include "game/controls/input.h"
 #include "game/controls/lookout.h"
@@ -84,6 +86,7 @@ class App {
     const Ghost& ghost() const { return ghost_; }
     const std::optional<ShownRuns>& runs() const { return runs_; }
     bool is_making_challenge() const { return maker_.is_busy(); }
+    bool is_filming() const { return filming_.progress().has_value(); }
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
     // or if writing failed.
@@ -95,6 +98,7 @@ class App {
     App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const sim::StepOptions& options);
 
     // The stages of a frame, in order.
+    std::span<const Event> poll(double elapsed_s);
     void perform_all();
     void move_camera(double elapsed_s);
     void guide_stroke();
@@ -134,6 +138,8 @@ class App {
     void perform(const CoverGround& wish);
     void perform(const BindKey& wish);
     void perform(const ResetKeys&);
+    void perform(const FilmSlide& wish);
+    void perform(const StopFilm&);
     void pause(bool on);
     void undo();
     void redo();
@@ -144,6 +150,7 @@ class App {
     void share(Outcome<std::string> recording);
     void tell_results();
     void tell_made();
+    void tell_film();
     void judge_attempt();
     void keep_run(const Score& score);
     void judge_slides();
@@ -182,7 +189,7 @@ class App {
     Outcome<void> close_recording();
 
     double now_s() const { return frames_.now_s(); }
-    Keys keys() const { return {screen_.layout(), now_set_.keys}; }
+    Keys keys() const { return {screen_.layout(), now_set_.keys, gamepad_.in_use()}; }
     void skip_wait() { frames_.skip_to(screen_.seconds()); }  // it must not be simulated
     void tell(std::string sentence) { notices_.tell(Notice::Kind::kInfo, std::move(sentence), now_s()); }
     void warn(std::string sentence) {
@@ -223,6 +230,8 @@ class App {
     SettingsFile settings_;
     Settings now_set_;  // settings_now()
     Input input_{now_set_.keys};
+    Gamepad gamepad_;
+    std::vector<Event> events_;  // of a frame in which there is a gamepad
     Lookout lookout_;
     bool leaving_ = false;
 
@@ -235,6 +244,7 @@ class App {
 
     Screenshots screenshots_;
     Sharing sharing_;
+    Filming filming_;
     ChallengeMaker maker_;
 };
 

@@ -414,10 +414,55 @@ void App::share(Outcome<std::string> recording) {
     if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
 }
 
+void App::perform(const FilmSlide& film) {
+    const Session& session = sandbox_->session();
+    const Scenario& scenario = sandbox_->scenario();
+    const std::int64_t known = sandbox_->known_until();
+    if (filming_.progress()) return tell("A film is being made already. Start the next one after it");
+    if (known == session.state().tick && session.changed_at() <= 1)
+        return tell("Nothing to film yet, because nothing has moved. Release a slide first");
+    Memory memory = first_.memory;
+    memory.use.sessions = 2;  // the film plays the slide anew
+    memory.use.draws = true;
+    memory.use.frames = {film.wish.width, film.wish.height};
+    if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
+        return warn(fmt::format("This slide cannot be filmed: {}", fits.error()));
+    // Until shortly after all has come to rest, if that is known.
+    constexpr double kAfter = 2;  // s
+    const auto after = static_cast<std::int64_t>(kAfter / static_cast<double>(scenario.params.tick_s));
+    const bool is_at_end = known == session.state().tick;
+    const std::int64_t last = is_at_end ? std::min(known, session.changed_at() + after) : known;
+    auto recorded = sandbox_->watches() ? watched_text(sandbox_->opening()) : sandbox_->recorded_so_far();
+    const auto begun = std::move(recorded).and_then([&](std::string&& text) {
+        return filming_.begin({.recording = std::move(text),
+                               .name = dated_name(scenario.scene),
+                               .last = last,
+                               .camera = camera(),
+                               .light = display_.light},
+                              film.wish);
+    });
+    if (!begun) warn(fmt::format("This slide cannot be filmed: {}", begun.error().sentence));
+}
+
+void App::perform(const StopFilm&) {
+    filming_.stop();
+    tell("The film was stopped; nothing of it is kept");
+}
+
+void App::tell_film() {
+    const auto made = filming_.result();
+    if (!made) return;
+    if (!*made) return warn(fmt::format("No film was made: {}", made->error().sentence));
+    tell(fmt::format("Film: {:.0f} s, {}", (*made)->seconds, (*made)->file.string()));
+    if (!(*made)->notice.empty()) warn((*made)->notice);
+    if (display_.shows_shared) show_folder((*made)->file.parent_path());
+}
+
 // Of what other threads have written.
 void App::tell_results() {
     best_list_.mark(catalogue_.scenes);
     tell_made();
+    tell_film();
     while (const auto screenshot = screenshots_.result()) {
         if (*screenshot)
             tell(fmt::format("Screenshot: {}", (*screenshot)->string()));

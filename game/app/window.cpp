@@ -257,8 +257,8 @@ struct Window::Callbacks {
                                y * self.framebuffer_size_.y / self.window_size_.y});
     }
 
-    static void on_wheel(GLFWwindow* window, double /*x*/, double y) {
-        take(window, WheelEvent{y, modifiers_held(window)});
+    static void on_wheel(GLFWwindow* window, double x, double y) {
+        take(window, WheelEvent{y, modifiers_held(window), x});
     }
 
     static void on_text(GLFWwindow* window, unsigned character) {
@@ -364,7 +364,27 @@ std::span<const Event> Window::poll() {
         glfwPollEvents();
     keyboard_.settle(events_);
     if (!events_.empty()) keyboard_.set(layout_now());  // another one is chosen by an event
+    read_pad();
     return events_;
+}
+
+void Window::read_pad() {
+    static_assert(kPadButtons == GLFW_GAMEPAD_BUTTON_LAST + 1 && kPadAxes == GLFW_GAMEPAD_AXIS_LAST + 1);
+    pad_.reset();
+    for (int number = GLFW_JOYSTICK_1; number <= GLFW_JOYSTICK_LAST && !pad_; ++number) {
+        GLFWgamepadstate state;
+        if (glfwGetGamepadState(number, &state) != GLFW_TRUE) continue;
+        pad_.emplace();
+        pad_number_ = number;
+        std::ranges::copy(state.axes, pad_->axes.begin());
+        std::ranges::transform(state.buttons, pad_->buttons.begin(),
+                               [](unsigned char button) { return button == GLFW_PRESS; });
+    }
+}
+
+std::string Window::pad_name() const {
+    const char* const name = pad_ ? glfwGetGamepadName(pad_number_) : nullptr;
+    return name ? name : "";
 }
 
 ScreenSize Window::size() const {

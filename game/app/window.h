@@ -26,6 +26,8 @@ class Window final : public Screen {
     std::span<const Event> poll() override;
     std::vector<std::filesystem::path> dropped() override { return dropped_; }
     const KeyboardLayout& layout() const override { return keyboard_.layout(); }
+    const std::optional<PadState>& pad() const override { return pad_; }
+    std::string pad_name() const override;
     ScreenSize size() const override;
     unsigned framebuffer() const override { return 0; }
     double seconds() const override;
@@ -51,13 +53,16 @@ class Window final : public Screen {
 
     explicit Window(GLFWwindow* window);
     void measure();
+    void read_pad();
     void follow_monitor();
     bool minimised() const { return iconified_ || framebuffer_size_.x == 0 || framebuffer_size_.y == 0; }
 
     GLFWwindow* window_;
     std::vector<Event> events_;
     std::vector<std::filesystem::path> dropped_;
-    Keyboard keyboard_;  // its keys have GLFW's numbers
+    std::optional<PadState> pad_;  // the first one that GLFW knows
+    int pad_number_ = 0;           // of GLFW
+    Keyboard keyboard_;            // its keys have GLFW's numbers
     Pair window_size_, framebuffer_size_;
     double scale_ = 1;
     int longest_side_ = 0;

@@ -11,7 +11,7 @@
 #include "game/base/outcome.h"
 #include "game/bench/canvas.h"
 #include "game/bench/measure.h"
-#include "game/commands/filmed_session.h"
+#include "game/app/filmed_session.h"
 #include "game/compare/edit.h"
 #include "game/controls/tier.h"
 #include "game/scene/memory.h"

@@ -13,6 +13,7 @@
 #include "game/controls/brush.h"
 #include "game/controls/display.h"
 #include "game/controls/events.h"
+#include "game/controls/film_wish.h"
 #include "game/scene/scene.h"
 
 namespace game {
@@ -46,6 +47,7 @@ enum class Verb {
     kTogglePhysics,
     kToggleDisplay,
     kTogglePerformance,
+    kToggleFilm,
     kToggleHelp,
     kClosePanel,    // the open list, else the help, else the last opened panel; else opens the menu
     kMenu,          // opens and closes it
@@ -111,6 +113,12 @@ struct BindKey {
 };
 struct ResetKeys {};
 
+// Films what is on the timeline, while the window goes on; and ends that.
+struct FilmSlide {
+    FilmWish wish;
+};
+struct StopFilm {};
+
 // Covers ground on which nothing lies with material, and begins its world anew.
 struct CoverGround {
     double depth;  // m
@@ -119,7 +127,7 @@ struct CoverGround {
 // A Tool is chosen.
 using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
                             SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend,
-                            CoverGround, BindKey, ResetKeys>;
+                            CoverGround, BindKey, ResetKeys, FilmSlide, StopFilm>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 
@@ -75,6 +77,7 @@ struct MoveEvent {
 struct WheelEvent {
     double steps;  // positive: away from the user
     Modifiers with;
+    double sideways = 0;  // positive: to the right; of a touchpad or a tilted wheel
 };
 struct TextEvent {
     char32_t character;
@@ -84,6 +87,46 @@ struct FocusEvent {
 };
 struct DropEvent {};  // files were dropped: Screen::dropped() has their paths
 struct CloseEvent {};
+
+// A gamepad, with the buttons and axes of an Xbox controller in GLFW's order.
+enum class PadButton : std::uint8_t {
+    kA,
+    kB,
+    kX,
+    kY,
+    kLeftBumper,
+    kRightBumper,
+    kBack,
+    kStart,
+    kGuide,
+    kLeftStick,
+    kRightStick,
+    kUp,
+    kRight,
+    kDown,
+    kLeft,
+};
+inline constexpr std::size_t kPadButtons = static_cast<std::size_t>(PadButton::kLeft) + 1;
+enum class PadAxis : std::uint8_t { kLeftX, kLeftY, kRightX, kRightY, kLeftTrigger, kRightTrigger };
+inline constexpr std::size_t kPadAxes = static_cast<std::size_t>(PadAxis::kRightTrigger) + 1;
+
+struct PadState {
+    std::array<float, kPadAxes> axes{0, 0, 0, 0, -1, -1};  // −1 to 1, y down; a trigger rests at −1
+    std::array<bool, kPadButtons> buttons{};
+    bool operator==(const PadState&) const = default;
+
+    // Whether it is held: a button is down, or a stick or a trigger is far from its rest.
+    bool is_used() const {
+        constexpr float kFar = 0.3f;
+        for (const bool down : buttons)
+            if (down) return true;
+        for (std::size_t i = 0; i < kPadAxes; ++i) {
+            const float rest = i < static_cast<std::size_t>(PadAxis::kLeftTrigger) ? 0.f : -1.f;
+            if (axes[i] - rest > kFar || rest - axes[i] > kFar) return true;
+        }
+        return false;
+    }
+};
 
 using Event =
     std::variant<KeyEvent, ButtonEvent, MoveEvent, WheelEvent, TextEvent, FocusEvent, DropEvent, CloseEvent>;

@@ -1,5 +1,7 @@
 #include "game/controls/input.h"
 
+#include <algorithm>
+
 namespace game {
 namespace {
 
@@ -31,6 +33,7 @@ void Input::take(std::span<const Event> events, ScreenSize size, Kept kept, Acti
     over_panel_ = kept.mouse;
     brush_pressed_ = camera_pressed_ = close_asked_ = dropped_ = false;
     zoom_steps_ = resize_steps_ = 0;
+    turn_ = walk_ = {0, 0};
     brush_released_at_.reset();
     from_ = at_.value_or(glm::dvec2(0));
 
@@ -66,7 +69,9 @@ double Input::held(Held towards, Held away) const {
         to |= down && binding.held == towards;
         fro |= down && binding.held == away;
     }
-    return (to ? 1.0 : 0.0) - (fro ? 1.0 : 0.0);
+    const double by_keys = (to ? 1.0 : 0.0) - (fro ? 1.0 : 0.0);
+    const double by_stick = towards == Held::kRight ? walk_.x : towards == Held::kForward ? walk_.y : 0;
+    return std::clamp(by_keys + by_stick, -1.0, 1.0);
 }
 
 void Input::take_key(const KeyEvent& event, KeysKept kept, Actions& actions) {
@@ -99,7 +104,9 @@ void Input::take_button(const ButtonEvent& event, bool kept) {
 
 void Input::take_wheel(const WheelEvent& event) {
     const bool resize = brush_held() || gesture_of(std::nullopt, event.with.shift) == Gesture::kResizeBrush;
+    constexpr double kTurn = 0.06;  // halves of an image width per step
     (resize ? resize_steps_ : zoom_steps_) += event.steps;
+    if (!brush_held()) turn_.x += event.sideways * kTurn;
 }
 
 void Input::release_all() {

@@ -44,7 +44,11 @@ class Input {
     glm::dvec2 drag_from() const { return from_; }
     double zoom_steps() const { return zoom_steps_; }
     double resize_steps() const { return resize_steps_; }  // of the brush, by the wheel
-    double held(Held towards, Held away) const;            // 1, −1 or 0
+    // Turning that is no drag, by a touchpad or a gamepad, image coordinates.
+    glm::dvec2 turn() const { return turn_; }
+    // Adds what a gamepad does to the camera in this frame; after take().
+    void add(glm::dvec2 turn, glm::dvec2 walk) { turn_ += turn, walk_ = walk; }
+    double held(Held towards, Held away) const;  // of keys and the stick, −1 to 1
     bool fast() const { return with_.shift; }
 
     bool close_asked() const { return close_asked_; }
@@ -71,6 +75,7 @@ class Input {
     bool focused_ = true;
     std::optional<glm::dvec2> brush_released_at_;
     double zoom_steps_ = 0, resize_steps_ = 0;
+    glm::dvec2 turn_{0}, walk_{0};
 };
 
 }  // namespace game

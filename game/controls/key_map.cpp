@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "game/controls/gamepad.h"
+
 namespace game {
 namespace {
 
@@ -41,6 +43,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{function_key(4), kAlone, false, Verb::kToggleDisplay, "display_panel", "display panel"},
     KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance_panel",
                "performance panel"},
+    KeyBinding{function_key(6), kAlone, false, Verb::kToggleFilm, "film_panel", "film panel"},
     KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close",
                "close a list or a panel; else show the menu"},
     KeyBinding{function_key(9), kAlone, false, Verb::kMenu, "menu", "menu"},
@@ -245,6 +248,8 @@ std::string name_of_first(const Keys& keys, std::variant<Verb, Tool> does) {
 }  // namespace
 
 std::string name_of(const Keys& keys, Verb verb) {
+    if (keys.by_pad)
+        if (const auto button = pad_name_of(verb); !button.empty()) return std::string(button);
     return name_of_first(keys, verb);
 }
 

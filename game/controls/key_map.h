@@ -103,6 +103,7 @@ std::optional<Chord> chord_of(std::string_view text);
 struct Keys {
     const KeyboardLayout& layout;
     const KeyMap& map;
+    bool by_pad = false;  // a gamepad is in use: verbs are named after its buttons, if they have one
 };
 // The label of the key of a verb or a tool, of the first one if there are several; empty: none.
 std::string name_of(const Keys& keys, Verb verb);

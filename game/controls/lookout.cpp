@@ -27,6 +27,15 @@ void Lookout::move(const Input& input, const std::optional<SlideFront::Front>& f
         wish.to = *cursor;
         wish.pivot = pivot_;
     }
+    // About what is in the middle of the image, for as long as it goes on.
+    const bool turns = input.turn() != glm::dvec2(0, 0) && wish.drag == CameraWish::Drag::kNone;
+    if (turns) {
+        if (!turns_) pivot_ = ground_under({0, 0}, world);
+        wish.drag = CameraWish::Drag::kTurn;
+        wish.to = input.turn();
+        wish.pivot = pivot_;
+    }
+    turns_ = turns;
     if (input.zoom_steps() != 0 && cursor) {
         wish.zoom_steps = input.zoom_steps();
         if (!wish.pivot) wish.pivot = ground_under(*cursor, world);

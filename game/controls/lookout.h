@@ -58,7 +58,8 @@ class Lookout {
     const Display& display_;
     Backdrop backdrop_;
     std::optional<CameraControl> control_;
-    std::optional<glm::dvec3> pivot_;   // of a drag
+    std::optional<glm::dvec3> pivot_;   // of a drag, or of turning without one
+    bool turns_ = false;                // without a drag, in the last frame
     std::optional<glm::dvec3> ground_;  // under the cursor
 };
 

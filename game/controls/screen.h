@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ class Screen {
     virtual std::span<const Event> poll() = 0;
     virtual std::vector<std::filesystem::path> dropped() = 0;  // paths of the last DropEvent
     virtual const KeyboardLayout& layout() const = 0;          // of the keyboard, as of the last poll()
+
+    // The gamepad, as of the last poll(); nothing: there is none.
+    virtual const std::optional<PadState>& pad() const = 0;
+    virtual std::string pad_name() const = 0;
 
     virtual ScreenSize size() const = 0;
     virtual unsigned framebuffer() const = 0;  // GL name to draw into

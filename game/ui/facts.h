@@ -17,6 +17,7 @@
 #include "game/controls/catalogue.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
+#include "game/controls/gamepad.h"
 #include "game/controls/guide.h"
 #include "game/controls/image_size.h"
 #include "game/controls/key_map.h"
@@ -147,7 +148,8 @@ struct Facts {
     const FrameTimes& times;
     const Notices& notices;
     const Catalogue& catalogue;
-    Keys keys;  // and their names
+    Keys keys;                         // and their names
+    const Gamepad* gamepad = nullptr;  // none: there is none
     Timeline timeline;
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
     bool is_bare() const {
@@ -159,6 +161,7 @@ struct Facts {
     double now_s = 0;                      // screen's clock
     ImageSize image = {};                  // of the world, as last drawn
     std::optional<double> sharing = {};    // 0 to 1, how much of the page of a shared slide is done
+    std::optional<double> filming = {};    // 0 to 1, how much of a film is done
     bool making_challenge = false;         // of the slide, in the background
     bool may_try = false;                  // a recording of a challenge was opened, which can be tried
     bool slide_ended = false;              // it has come to rest, and was not shared yet

@@ -22,6 +22,7 @@ enum class Icon {
     kPhysics,
     kDisplay,
     kPerformance,
+    kFilm,
     kHelp,
     kClose,
     kLeft,

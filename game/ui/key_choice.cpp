@@ -42,6 +42,9 @@ void head(Desk& desk, const Facts& facts, Actions& actions) {
         }
         ImGui::EndDisabled();
         ImGui::SameLine();
+        if (desk.widgets.button("Gamepad", "Shows what the buttons of a gamepad do."))
+            desk.menu.show(Menu::Page::kPad);
+        ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted("Click a key, then press the one that it shall be.");
         return;
@@ -94,7 +97,8 @@ void row(Desk& desk, std::size_t at, const Facts& facts, Actions& actions) {
             bind(actions, at, kUsual.at(at));
         }
     }
-    ImGui::SameLine(from + (kCapWidth + 2.4f) * desk.em());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(from + (kCapWidth + 2.4f) * desk.em());
     ImGui::AlignTextToFramePadding();
     const std::string_view meaning = map.meaning(at);
     const bool lost = map.at(at).key == Key::kNone;

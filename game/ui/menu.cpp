@@ -102,6 +102,7 @@ void choices(Desk& desk, const Facts& facts, float width, Actions& actions) {
 }
 
 const char* title_of(Menu::Page page) {
+    if (page == Menu::Page::kPad) return "Gamepad";
     const auto* const item = std::ranges::find(kItems, page, &Item::page);
     return item == kItems.end() ? "" : item->label;
 }
@@ -120,6 +121,8 @@ void contents(Desk& desk, const Facts& facts, Actions& actions) {
             return display_panel(desk, facts, actions);
         case Menu::Page::kKeys:
             return keys_page(desk, facts, actions);
+        case Menu::Page::kPad:
+            return pad_page(desk, facts);
         case Menu::Page::kStart:
             return;
     }

@@ -25,6 +25,7 @@ const char* write_recording(std::span<char> text, const Catalogue::Entry& record
 void challenges_page(Desk& desk, const Facts& facts, Actions& actions);
 void free_play_page(Desk& desk, const Facts& facts, Actions& actions);
 void hill_page(Desk& desk, const Facts& facts, Actions& actions);
+void pad_page(Desk& desk, const Facts& facts);
 void keys_page(Desk& desk, const Facts& facts, Actions& actions);
 void watch_page(Desk& desk, const Facts& facts, Actions& actions);
 

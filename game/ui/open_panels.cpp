@@ -11,7 +11,7 @@ constexpr float kColumn = 24, kReadingsHeight = 11.6f, kHelp = 78,
                 kBesides = 20;  // em: sizes, and the gap between two columns
 
 bool in_left_column(Panel panel) {
-    return panel == Panel::kScene || panel == Panel::kDisplay;
+    return panel == Panel::kScene || panel == Panel::kDisplay || panel == Panel::kFilm;
 }
 
 void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
@@ -24,6 +24,8 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
             return display_panel(desk, facts, actions);
         case Panel::kPerformance:
             return performance_panel(desk, facts);
+        case Panel::kFilm:
+            return film_panel(desk, facts, actions);
         case Panel::kHelp:
             return help_panel(desk, facts.keys);
     }

@@ -14,8 +14,8 @@
 namespace game::ui {
 
 // The panels that can be opened and closed.
-enum class Panel { kScene, kPhysics, kDisplay, kPerformance, kHelp };
-inline constexpr std::size_t kPanels = 5;
+enum class Panel { kScene, kPhysics, kDisplay, kPerformance, kFilm, kHelp };
+inline constexpr std::size_t kPanels = 6;
 
 struct PanelInfo {
     Panel panel;
@@ -30,6 +30,7 @@ inline constexpr PanelInfo kPanelInfos[kPanels] = {
     {Panel::kDisplay, Verb::kToggleDisplay, "Display", Icon::kDisplay, "Colours, sun, camera and text size."},
     {Panel::kPerformance, Verb::kTogglePerformance, "Performance", Icon::kPerformance,
      "Time per stage of a frame."},
+    {Panel::kFilm, Verb::kToggleFilm, "Film", Icon::kFilm, "Makes a film of the slide, with its sound."},
     {Panel::kHelp, Verb::kToggleHelp, "Help", Icon::kHelp, "All keys and mouse gestures."},
 };
 
@@ -67,6 +68,7 @@ struct Desk {
     CardMap card_map;
     OpenPanels panels;
     Menu menu;
+    FilmWish film;
     KeyChoice key_choice;
     SceneChoice choice;
     std::array<char, 192> refusal{};  // why a number was rejected
@@ -96,7 +98,8 @@ void dam(Desk& desk, const Facts& facts);
 void run_ends(Desk& desk, const Facts& facts);
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
-void opening(Desk& desk, const Facts& facts);                 // instead of all others
+void pad_wheel(Desk& desk, const Facts& facts);  // of a gamepad, while one of its buttons opens it
+void opening(Desk& desk, const Facts& facts);    // instead of all others
 void menu(Desk& desk, const Facts& facts, Actions& actions);  // instead of all others, while it is open
 void guide(Desk& desk, const Facts& facts, Actions& actions);
 void result_card(Desk& desk, const Facts& facts, Actions& actions);
@@ -106,6 +109,7 @@ void scene_panel(Desk& desk, const Facts& facts, Actions& actions);
 void physics_panel(Desk& desk, const Facts& facts, Actions& actions);
 void display_panel(Desk& desk, const Facts& facts, Actions& actions);
 void performance_panel(Desk& desk, const Facts& facts);
+void film_panel(Desk& desk, const Facts& facts, Actions& actions);
 void help_panel(Desk& desk, const Keys& keys);
 void open_panels(Desk& desk, const Facts& facts, Actions& actions);
 

@@ -220,7 +220,9 @@ void Ui::build(const Facts& facts, Actions& actions) {
         open_panels(desk, facts, actions);
         result_card(desk, facts, actions);
     }
+    pad_wheel(desk, facts);
     notices(desk, facts, desk.panels.hidden() || facts.opening_s);
+    ImGui::GetIO().MouseDrawCursor = facts.gamepad && facts.gamepad->in_use();
     ImGui::Render();
 }
 

@@ -48,9 +48,8 @@ class Playing : public testing::Test {
         if (squares > 0) wishes_.squares = squares;
         auto loaded = open_anything(what, wishes_);
         ASSERT_TRUE(loaded) << loaded.error().sentence;
-        auto begun =
-            App::begin(screen_, std::move(*loaded), sim::StepOptions{}, folder_.path() / "session.couloir",
-                       tier_, std::nullopt, std::move(settings_));
+        auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{},
+                                folder_.path() / "session.couloir", tier_, std::nullopt, settings_);
         ASSERT_TRUE(begun) << begun.error().sentence;
         app_ = std::move(*begun);
         frames(2);
@@ -1736,6 +1735,54 @@ TEST_F(Playing, stands_still_behind_the_menu_which_takes_every_click_and_key) {
     EXPECT_FALSE(app_->panels().shows_menu());
     frames(5);
     EXPECT_GT(line().tick, before.tick);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, is_played_with_a_gamepad_which_comes_and_goes) {
+    begin();
+    PadState pad;
+    const auto set = [&](PadButton button, bool down) {
+        pad.buttons[static_cast<std::size_t>(button)] = down;
+        screen_.hold(pad);
+        frames(1);
+    };
+    screen_.hold(pad);
+    frames(1);
+    EXPECT_NE(last_notice().find("scripted pad"), std::string::npos) << last_notice();
+    const render::Camera before = app_->camera();
+    pad.axes[static_cast<std::size_t>(PadAxis::kRightX)] = 1;
+    screen_.hold(pad);
+    frames(10);
+    EXPECT_GT(std::abs(app_->camera().azimuth_deg - before.azimuth_deg), 1);
+    pad.axes[static_cast<std::size_t>(PadAxis::kRightX)] = 0;
+
+    set(PadButton::kLeftBumper, true);
+    EXPECT_TRUE(shows("Blast"));
+    pad.axes[static_cast<std::size_t>(PadAxis::kLeftX)] = 1;  // the wheel's third of eleven
+    set(PadButton::kLeftBumper, true);
+    pad.axes[static_cast<std::size_t>(PadAxis::kLeftX)] = 0;
+    set(PadButton::kLeftBumper, false);
+    frames(1);
+    EXPECT_EQ(app_->brush().tool, Tool::kSculpt);
+
+    set(PadButton::kX, true);
+    EXPECT_TRUE(app_->clock().paused());
+    set(PadButton::kX, false);
+    tap(key('1'));
+    tap(Key::kSpace);
+    pad.axes[static_cast<std::size_t>(PadAxis::kLeftY)] = -0.4f;  // up, from the sky's edge
+    screen_.hold(pad);
+    frames(2);
+    pad.axes[static_cast<std::size_t>(PadAxis::kLeftY)] = 0;
+    set(PadButton::kA, true);
+    frames(10);
+    EXPECT_GT(mass().poured, 0);
+    screen_.hold(std::nullopt);  // drawn out while it pours
+    frames(2);
+    EXPECT_NE(last_notice().find("The gamepad is gone"), std::string::npos) << last_notice();
+    const auto poured = mass().poured;
+    frames(5);
+    EXPECT_EQ(mass().poured, poured);
     expect_recording_replays();
 }
 

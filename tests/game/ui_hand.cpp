@@ -51,7 +51,8 @@ ui::Facts UiHand::facts() const {
             .recording = recording_,
             .renderer = "scripted",
             .now_s = screen_.seconds(),
-            .sharing = sharing_};
+            .sharing = sharing_,
+            .filming = filming_};
 }
 
 Actions UiHand::frame() {

@@ -51,7 +51,7 @@ class UiHand : public testing::Test {
     CameraMode camera_mode_ = CameraMode::kOrbit;
     ui::Timeline timeline_;
     std::string recording_ = "/tmp/valley.couloir";
-    std::optional<double> sharing_;
+    std::optional<double> sharing_, filming_;
     std::vector<BestRun> best_runs_;
     std::optional<ui::ResultCard> card_;
     std::optional<GoalUse> goal_use_;

@@ -153,6 +153,17 @@ TEST_F(UiMenu, gives_an_action_the_key_that_is_pressed) {
     only<ResetKeys>(click("All usual keys"));
 }
 
+TEST_F(UiMenu, shows_what_each_part_of_a_gamepad_does) {
+    open_page("Keys");
+    EXPECT_TRUE(click("Gamepad").empty());
+    settle();
+    for (const PadPart& part : pad_parts()) EXPECT_TRUE(ui_->find(part.name)) << part.name;
+    for (const PadBinding& binding : pad_bindings()) EXPECT_TRUE(ui_->find(binding.name)) << binding.name;
+    ui_->perform(Verb::kClosePanel);
+    settle();
+    EXPECT_TRUE(ui_->find("All usual keys"));
+}
+
 TEST_F(UiMenu, has_every_page_on_a_small_screen_and_with_large_letters) {
     for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {1280, 720, 2}, {800, 600, 1}, {2560, 1440, 2}}) {
         begin_anew(size);

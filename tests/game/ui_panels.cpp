@@ -19,6 +19,7 @@ const std::vector<PanelFacts> kPanels{
      "Display",
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
+    {Verb::kToggleFilm, "Film", {"Close Film", "Film camera", "Film size", "With sound", "Film it"}},
     {Verb::kToggleHelp, "Help", {"Close Help", "step one tick"}},
 };
 
@@ -237,6 +238,27 @@ TEST_F(UiPanels, play_the_best_runs_of_the_challenge_that_is_open) {
     EXPECT_EQ(only<Open>(click("900, no medal, 2026-11-25 08:00")).name_or_path, "/best/second.couloir");
     EXPECT_TRUE(click("Best runs").empty());
     EXPECT_EQ(only<Open>(click("1465, gold, 2026-11-26 12:58")).name_or_path, "/best/first.couloir");
+}
+
+TEST_F(UiPanels, ask_for_a_film_as_it_was_chosen_and_stop_it) {
+    ui_->perform(Verb::kToggleFilm);
+    settle();
+    EXPECT_EQ(only<FilmSlide>(click("Film it")).wish, FilmWish());
+    const auto choose = [&](const char* list, const char* item) {
+        EXPECT_TRUE(click(list).empty());
+        EXPECT_TRUE(click(item).empty());
+    };
+    choose("Film camera", "follows the front");
+    choose("Film size", "1920 × 1080");
+    choose("Images per second", "60");
+    choose("Kind of file", "WebM: for web pages");
+    EXPECT_TRUE(click("With sound").empty());
+    EXPECT_EQ(only<FilmSlide>(click("Film it")).wish,
+              (FilmWish{FilmView::kChase, 1920, 1080, 60, FilmWish::Kind::kWebm, true}));
+    filming_ = 0.25;
+    settle();
+    EXPECT_FALSE(ui_->find("Film it"));
+    only<StopFilm>(click("Stop filming"));
 }
 
 TEST_F(UiPanels, choose_whether_the_folder_of_a_shared_slide_is_opened) {

@@ -28,6 +28,8 @@ class ScriptedScreen : public game::Screen {
     void drop(std::vector<std::filesystem::path> files);
     void have(const game::KeyboardLayout& layout) { layout_ = layout; }
 
+    void hold(std::optional<game::PadState> pad) { pad_ = pad; }  // from the next poll() on
+
     void resize(game::ScreenSize size) { size_ = size; }
     void pass(double seconds) { seconds_ += seconds; }
     void limit_side(int longest) { longest_side_ = longest; }
@@ -41,6 +43,8 @@ class ScriptedScreen : public game::Screen {
     std::span<const game::Event> poll() override;
     std::vector<std::filesystem::path> dropped() override { return std::exchange(dropped_, {}); }
     const game::KeyboardLayout& layout() const override { return layout_; }
+    const std::optional<game::PadState>& pad() const override { return pad_; }
+    std::string pad_name() const override { return "scripted pad"; }
     game::ScreenSize size() const override { return size_; }
     unsigned framebuffer() const override { return framebuffer_; }
     double seconds() const override { return seconds_; }
@@ -58,6 +62,7 @@ class ScriptedScreen : public game::Screen {
     std::vector<game::Event> coming_, polled_;
     std::vector<std::filesystem::path> dropped_;
     game::KeyboardLayout layout_;
+    std::optional<game::PadState> pad_;
     game::ScreenSize size_;
     unsigned framebuffer_ = 0;
     double seconds_ = 0;

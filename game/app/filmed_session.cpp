@@ -1,4 +1,4 @@
-#include "game/commands/filmed_session.h"
+#include "game/app/filmed_session.h"
 
 #include <algorithm>
 #include <cmath>

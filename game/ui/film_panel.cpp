@@ -1,0 +1,94 @@
+#include <array>
+#include <cstdio>
+
+#include "game/ui/panels.h"
+
+namespace game::ui {
+namespace {
+
+struct ViewName {
+    FilmView view;
+    const char* name;
+};
+constexpr std::array kViews{
+    ViewName{FilmView::kScene, "as you see it now"},
+    ViewName{FilmView::kChase, "follows the front"},
+    ViewName{FilmView::kFront, "from where it comes to rest"},
+    ViewName{FilmView::kTop, "from above"},
+};
+struct SizeName {
+    int width, height;
+    const char* name;
+};
+constexpr std::array kSizes{SizeName{854, 480, "854 × 480"}, SizeName{1280, 720, "1280 × 720"},
+                            SizeName{1920, 1080, "1920 × 1080"}, SizeName{3840, 2160, "3840 × 2160"}};
+constexpr std::array kFilmRates{24, 30, 60};
+constexpr std::array kRateNames{"24", "30", "60"};
+constexpr std::array kKindNames{"MP4: for every player", "WebM: for web pages", "MKV with AV1: smallest"};
+
+// The place of what is chosen in its list.
+template <class List, class Is>
+int place_in(const List& list, const Is& is) {
+    return static_cast<int>(std::find_if(list.begin(), list.end(), is) - list.begin());
+}
+
+template <class List, class Name>
+int choose(Desk& desk, const char* label, const List& list, int at, const char* tooltip, const Name& name) {
+    desk.widgets.row(label);
+    desk.widgets.choice(label, at, static_cast<int>(list.size()), tooltip,
+                        [&](int i) { return name(static_cast<std::size_t>(i)); });
+    return at;
+}
+
+void choices(Desk& desk) {
+    FilmWish& wish = desk.film;
+    const int view = choose(desk, "Film camera", kViews,
+                            place_in(kViews, [&](const ViewName& v) { return v.view == wish.view; }),
+                            "Where the film is seen from.", [](std::size_t i) { return kViews.at(i).name; });
+    wish.view = kViews.at(static_cast<std::size_t>(view)).view;
+    const int size = choose(desk, "Film size", kSizes,
+                            place_in(kSizes, [&](const SizeName& s) { return s.width == wish.width; }),
+                            "Width and height in pixels.", [](std::size_t i) { return kSizes.at(i).name; });
+    wish.width = kSizes.at(static_cast<std::size_t>(size)).width;
+    wish.height = kSizes.at(static_cast<std::size_t>(size)).height;
+    const int rate = choose(
+        desk, "Images per second", kFilmRates, place_in(kFilmRates, [&](int fps) { return fps == wish.fps; }),
+        "More are smoother and take longer.", [](std::size_t i) { return kRateNames.at(i); });
+    wish.fps = kFilmRates.at(static_cast<std::size_t>(rate));
+    const int kind = choose(desk, "Kind of file", kKindNames, static_cast<int>(wish.kind),
+                            "How the film is encoded.", [](std::size_t i) { return kKindNames.at(i); });
+    wish.kind = static_cast<FilmWish::Kind>(kind);
+    bool sound = !wish.silent;
+    if (desk.widgets.toggle("With sound", sound, "What is heard at the camera of the film."))
+        wish.silent = !sound;
+}
+
+}  // namespace
+
+void film_panel(Desk& desk, const Facts& facts, Actions& actions) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::BeginDisabled(facts.filming.has_value());
+    choices(desk);
+    ImGui::EndDisabled();
+    if (facts.filming) {
+        std::array<char, 32> text;
+        std::snprintf(text.data(), text.size(), "%.0f %%", 100 * *facts.filming);
+        ImGui::ProgressBar(static_cast<float>(*facts.filming), {width, 0}, text.data());
+        desk.widgets.note("Filming");
+        if (desk.widgets.button("Stop filming", "Ends the film; nothing of it is kept.", false, width))
+            actions.emplace_back(StopFilm{});
+        desk.widgets.dim("The slide is played again in the background. You can go on.");
+        return;
+    }
+    const bool is_flow = facts.scenario.flow.has_value();
+    ImGui::BeginDisabled(is_flow);
+    if (desk.widgets.button("Film it",
+                            is_flow ? "A flow demo has no slide to film."
+                                    : "Films what was done here, from the first action until nothing moves.",
+                            true, width))
+        actions.emplace_back(FilmSlide{desk.film});
+    ImGui::EndDisabled();
+    desk.widgets.dim("The program ffmpeg writes it; the film comes into couloir/films of your data folder.");
+}
+
+}  // namespace game::ui
