@@ -1,6 +1,7 @@
 #include "game/app/filming.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -62,7 +63,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
-    const auto lead = static_cast<std::int64_t>(kLead_s / static_cast<double>(scenario.params.tick_s));
+    const auto lead = std::llround(kLead_s / static_cast<double>(scenario.params.tick_s));
     const std::int64_t begins = recording->commands.empty() ? 0 : recording->commands.front().tick - lead,
                        first =
                            std::clamp<std::int64_t>(begins, 0, std::max<std::int64_t>(subject.last - 1, 0));

@@ -73,7 +73,9 @@ void film_panel(Desk& desk, const Facts& facts, Actions& actions) {
     if (facts.filming) {
         std::array<char, 32> text;
         std::snprintf(text.data(), text.size(), "%.0f %%", 100 * *facts.filming);
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, faded(kAccent, 0.6f));
         ImGui::ProgressBar(static_cast<float>(*facts.filming), {width, 0}, text.data());
+        ImGui::PopStyleColor();
         desk.widgets.note("Filming");
         if (desk.widgets.button("Stop filming", "Ends the film; nothing of it is kept.", false, width))
             actions.emplace_back(StopFilm{});

@@ -5,13 +5,16 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
+#include "game/app/filming.h"
 #include "game/controls/film_camera.h"
+#include "game/files/assets.h"
 #include "game/files/film.h"
 #include "game/scene/mountains.h"
 #include "game/scene/scene.h"
@@ -303,6 +306,59 @@ TEST(FilmOfReplay, has_the_images_of_its_time_and_refuses_what_it_cannot_film) {
         const Finished refused = replay(wrong);
         EXPECT_EQ(refused.status, 2) << wrong.back() << ": " << refused.err;
     }
+}
+
+// The film of the window, which goes on meanwhile.
+class FilmOfWindow : public testing::Test {
+  protected:
+    FilmOfWindow() : path_(fake_.programs()) { setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
+    ~FilmOfWindow() override { unsetenv("XDG_DATA_HOME"); }
+
+    static Filming::Subject subject(std::int64_t last) {
+        const fs::path recording = find_asset(AssetKind::kRecording, "landslide").value();
+        return {read_bytes(recording), "mine", last, {}, {}};
+    }
+    static Outcome<Filming::Made> wait_for(Filming& filming) {
+        while (true)
+            if (auto result = filming.result()) return std::move(*result);
+    }
+    fs::path films() const { return folder_.path() / "couloir/films"; }
+
+    static constexpr FilmWish kWish{.width = 32, .height = 18, .silent = true};
+    support::TemporaryFolder folder_;
+    FakeFfmpeg fake_{"sleep 0.1; cat > \"$into\""};
+    SearchPath path_;
+};
+
+TEST_F(FilmOfWindow, gets_a_new_name_and_has_the_images_of_its_time) {
+    fs::create_directories(films());
+    write_bytes(films() / "mine.mp4", "the film before");
+    Filming filming;
+    ASSERT_TRUE(filming.begin(subject(20), kWish));
+    EXPECT_TRUE(filming.progress());
+    const auto made = wait_for(filming);
+    ASSERT_TRUE(made) << made.error().sentence;
+    EXPECT_EQ(made->file, films() / "mine-2.mp4");
+    EXPECT_EQ(fs::file_size(made->file), 10u * 32 * 18 * 3) << "20 ticks at 30 images per second";
+    EXPECT_NEAR(made->seconds, 20. / 60, 1e-6);
+    EXPECT_FALSE(filming.progress());
+    EXPECT_EQ(files_in(films()), 2u);
+}
+
+TEST_F(FilmOfWindow, leaves_nothing_if_it_is_stopped_or_cannot_be_made) {
+    Filming filming;
+    ASSERT_TRUE(filming.begin(subject(100'000), kWish));
+    while (*filming.progress() == 0) std::this_thread::yield();
+    filming.stop();
+    EXPECT_FALSE(filming.progress());
+    EXPECT_FALSE(filming.result());
+    EXPECT_EQ(files_in(films()), 0u);
+
+    Filming::Subject damaged = subject(20);
+    damaged.recording.resize(100);
+    ASSERT_TRUE(filming.begin(std::move(damaged), kWish));
+    EXPECT_FALSE(wait_for(filming));
+    EXPECT_EQ(files_in(films()), 0u);
 }
 
 }  // namespace
