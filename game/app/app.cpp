@@ -136,6 +136,7 @@ bool App::frame() {
         // The world after its ticks, then the panels, which describe the same tick.
         draw_world(time);
         if (image_.failure()) return false;
+        if (time.ticks > 0) picture_session();
         time.stage_ms[stage_index(Stage::kDraw)] = watch.lap();
         draw_panels();
         time.stage_ms[stage_index(Stage::kPanels)] = watch.lap();
@@ -558,6 +559,13 @@ void App::draw_world(const FrameTime& time) {
         {time_.epoch(), sandbox_->session().changed_at(), camera(), display_, marks(), screen_.size()},
         subject(), {now_s(), time, times()});
     display_.tier = image_.tier();
+}
+
+// Keeps the image of the moment at which most moves, for the list of recordings.
+void App::picture_session() {
+    const std::int64_t moving = sandbox_->session().state().ledger.rolling;
+    if (sandbox_->watches() || !file_.path() || !open_.picture.wants(moving, now_s())) return;
+    open_.picture.take(image_.shown(), moving, now_s());
 }
 
 // Of the world as last shown.

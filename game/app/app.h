@@ -15,6 +15,7 @@
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
 #include "game/app/session_file.h"
+#include "game/app/session_picture.h"
 #include "game/app/settings.h"
 #include "game/app/sharing.h"
 #include "game/app/shown_runs.h"
@@ -139,6 +140,10 @@ class App {
     void perform(const BindKey& wish);
     void perform(const ResetKeys&);
     void perform(const FilmSlide& wish);
+    void perform(const RenameFile& wish);
+    void perform(const ThrowAway& wish);
+    void perform(const ShowFile& wish);
+    bool is_in_use(const std::filesystem::path& file);  // true: said so
     void perform(const StopFilm&);
     void pause(bool on);
     void undo();
@@ -151,6 +156,7 @@ class App {
     void tell_results();
     void tell_made();
     void tell_film();
+    void picture_session();
     void judge_attempt();
     void keep_run(const Score& score);
     void judge_slides();
@@ -207,6 +213,7 @@ class App {
         GoalLines goal_lines;
         DamLines dam_lines;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
+        SessionPicture picture;
     };
 
     Screen& screen_;

@@ -166,7 +166,8 @@ void App::perform(const GuideWish& wish) {
 
 // What the user has recorded and saved by now.
 void App::list_own() {
-    catalogue_.own = own_recordings();
+    catalogue_.own = own_entries(ShelfKind::kRecording);
+    catalogue_.screenshots = own_entries(ShelfKind::kScreenshot);
     catalogue_.worlds = own_worlds();
 }
 
@@ -444,6 +445,34 @@ void App::perform(const FilmSlide& film) {
     if (!begun) warn(fmt::format("This slide cannot be filmed: {}", begun.error().sentence));
 }
 
+// The recording that is being written, or that is watched and may be read again.
+bool App::is_in_use(const std::filesystem::path& file) {
+    const bool used = file == file_.path() || (sandbox_->watches() && file == first_.scene.files.front());
+    if (used) tell("This recording is open. Open something else first");
+    return used;
+}
+
+void App::perform(const RenameFile& wish) {
+    if (is_in_use(wish.file)) return;
+    const auto renamed = rename_on_shelf(wish.file, wish.name);
+    list_own();
+    if (!renamed) return warn(renamed.error().sentence);
+    tell(fmt::format("Renamed: {}", renamed->filename().string()));
+}
+
+void App::perform(const ThrowAway& wish) {
+    if (is_in_use(wish.file)) return;
+    const auto thrown = throw_away(wish.file);
+    list_own();
+    if (!thrown) return warn(thrown.error().sentence);
+    tell(fmt::format("In the trash: {}", wish.file.filename().string()));
+}
+
+void App::perform(const ShowFile& wish) {
+    if (!show_folder(wish.file.parent_path()))
+        tell(fmt::format("It is in {}", wish.file.parent_path().string()));
+}
+
 void App::perform(const StopFilm&) {
     filming_.stop();
     tell("The film was stopped; nothing of it is kept");
@@ -519,8 +548,12 @@ Outcome<void> App::begin_afresh(LoadedWorld loaded) {
 }
 
 Outcome<void> App::close_recording() {
+    const auto recording = file_.path();
+    const bool is_listed = !file_.wanted() && file_.remains(sandbox_->was_touched());
     auto closed = sandbox_->finish();
     if (closed) file_.end(sandbox_->was_touched());
+    if (closed && recording && is_listed)
+        if (const auto pictured = open_.picture.write(*recording); !pictured) warn(pictured.error().sentence);
     return closed;
 }
 

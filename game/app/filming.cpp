@@ -17,7 +17,7 @@
 namespace game {
 namespace {
 
-constexpr double kLead_s = 1;  // before the first command
+constexpr double kLead = 1;  // s before the first command
 
 // A name in a folder that no file has yet. It is free until the film is done, unless another program takes it.
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& name,
@@ -63,7 +63,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
-    const auto lead = std::llround(kLead_s / static_cast<double>(scenario.params.tick_s));
+    const auto lead = std::llround(kLead / static_cast<double>(scenario.params.tick_s));
     const std::int64_t begins = recording->commands.empty() ? 0 : recording->commands.front().tick - lead,
                        first =
                            std::clamp<std::int64_t>(begins, 0, std::max<std::int64_t>(subject.last - 1, 0));

@@ -63,6 +63,8 @@ class WorldImage {
 
     // Draws what is due, and shows it on the screen.
     void draw(const Seen& seen, const Subject& subject, const Moment& moment);
+    // The image that is shown, as it is.
+    render::Picture shown() const { return renderer_.read_back(); }
     // The image that was drawn last as finely as one that stands still, without ring and ghost; nothing after a failure.
     std::optional<render::Picture> picture(const Subject& subject);
 

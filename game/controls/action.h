@@ -113,6 +113,18 @@ struct BindKey {
 };
 struct ResetKeys {};
 
+// What is done to a file that a person has made.
+struct RenameFile {
+    std::filesystem::path file;
+    std::string name;
+};
+struct ThrowAway {  // into the trash
+    std::filesystem::path file;
+};
+struct ShowFile {  // its folder, in the file manager
+    std::filesystem::path file;
+};
+
 // Films what is on the timeline, while the window goes on; and ends that.
 struct FilmSlide {
     FilmWish wish;
@@ -125,9 +137,10 @@ struct CoverGround {
 };
 
 // A Tool is chosen.
-using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
-                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend,
-                            CoverGround, BindKey, ResetKeys, FilmSlide, StopFilm>;
+using Action =
+    std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
+                 GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround, BindKey,
+                 ResetKeys, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -8,7 +8,6 @@
 #include "game/base/limits.h"
 #include "game/files/assets.h"
 #include "game/files/own_worlds.h"
-#include "game/files/recordings_folder.h"
 #include "game/recording/format.h"
 #include "game/scene/scene_file.h"
 #include "terrains/json_reader.h"
@@ -74,18 +73,15 @@ Outcome<Catalogue> read_catalogue() {
     return catalogue;
 }
 
-std::vector<Catalogue::Entry> own_recordings() {
-    std::vector<Catalogue::Entry> own;
-    const auto folder = recordings_folder();
-    std::error_code error;
-    if (!folder || !std::filesystem::is_directory(*folder, error)) return own;
-    for (const auto& entry : std::filesystem::directory_iterator(*folder, error))
-        if (entry.path().extension() == ".couloir")
-            own.push_back({entry.path().stem().string(), entry.path().string(), entry.path()});
-    // Sorts by time, because the names begin with it.
-    std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
-    if (own.size() > kMostOwn) own.resize(kMostOwn);
-    return own;
+std::vector<Catalogue::Entry> own_entries(ShelfKind kind) {
+    std::vector<Catalogue::Entry> entries;
+    for (const ShelfFile& each : shelf(kind, kMostOnShelf)) {
+        Catalogue::Entry entry{each.file.stem().string(), each.file.string(), each.file};
+        entry.picture = kind == ShelfKind::kRecording ? picture_of(each.file) : each.file;
+        entry.written = each.written;
+        entries.push_back(std::move(entry));
+    }
+    return entries;
 }
 
 std::vector<Catalogue::Entry> own_worlds() {

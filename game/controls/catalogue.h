@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/base/outcome.h"
+#include "game/files/shelf.h"
 
 namespace game {
 
@@ -23,23 +24,27 @@ struct Catalogue {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
         Kind kind = Kind::kMountain;
-        std::string harder_than = {};   // the name of another challenge; empty: none
-        std::optional<Best> best = {};  // run of a challenge that is known; read_catalogue() knows none
-        std::string about = {};         // a sentence: of a challenge its task; may be empty
-        std::int64_t difficulty = 0;    // of a challenge, 1 to SceneFile::kHardest; 0: not known
+        std::string harder_than = {};        // the name of another challenge; empty: none
+        std::optional<Best> best = {};       // run of a challenge that is known; read_catalogue() knows none
+        std::string about = {};              // a sentence: of a challenge its task; may be empty
+        std::int64_t difficulty = 0;         // of a challenge, 1 to SceneFile::kHardest; 0: not known
+        std::filesystem::path picture = {};  // of what a person has made; it may not exist
+        std::int64_t written = 0;            // the same: s since 1970
     };
     std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name
     std::vector<Entry> materials, recordings;
-    std::vector<Entry> own;     // the user's recordings, newest first
-    std::vector<Entry> worlds;  // that the user has saved, and challenges; newest first
+    std::vector<Entry> own;          // the user's recordings, newest first
+    std::vector<Entry> screenshots;  // the same
+    std::vector<Entry> worlds;       // that the user has saved, and challenges; newest first
 };
 
-// Reads everything except `own` and `worlds`. Errors: an asset cannot be found or read.
+// Reads everything except what the user has made. Errors: an asset cannot be found or read.
 Outcome<Catalogue> read_catalogue();
 
-// The newest recordings in the recordings folder, at most kMostOwn; none if there is no such folder.
+// The newest of the user's files of a kind, at most kMostOnShelf.
+inline constexpr std::size_t kMostOnShelf = 200;
+std::vector<Catalogue::Entry> own_entries(ShelfKind kind);
 inline constexpr std::size_t kMostOwn = 8;
-std::vector<Catalogue::Entry> own_recordings();
 // The newest worlds and challenges of the user, at most kMostOwn (files/own_worlds.h).
 std::vector<Catalogue::Entry> own_worlds();
 

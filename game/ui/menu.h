@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -12,12 +13,21 @@ struct Menu {
     bool open = false;
     bool begins = false;  // the program has just started: nothing was played that could go on
     Page page = Page::kStart;
-    std::string chosen = {};  // name of the scene whose card was clicked; empty: none yet
+    std::string chosen =
+        {};  // name of the scene whose card was clicked, or file of what was made; empty: none yet
+
+    // Of the page of what the user has made.
+    enum class Shelf : std::uint8_t { kShipped, kRecordings, kScreenshots } shelf = Shelf::kRecordings;
+    enum class Order : std::uint8_t { kNewest, kOldest, kName } order = Order::kNewest;
+    std::array<char, 64> search{};
+    bool renames = false, asks_to_throw = false;  // the chosen one
+    std::array<char, 128> new_name{};
 
     void show(Page at = Page::kStart) {
         open = true;
         page = at;
         chosen.clear();
+        renames = asks_to_throw = false;
     }
     void close() { open = begins = false; }
     // From a page to the one before it, and from the start to the world.

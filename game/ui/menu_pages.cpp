@@ -202,24 +202,4 @@ void hill_page(Desk& desk, const Facts& facts, Actions& actions) {
                   "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
 }
 
-void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    std::array<char, 160> label, what;
-    desk.widgets.heading("Slides that ship");
-    for (const Catalogue::Entry& entry : facts.catalogue.recordings) {
-        std::snprintf(label.data(), label.size(), "Watch %s", entry.name.c_str());
-        if (desk.widgets.button(label.data(), entry.title.c_str(), false, width))
-            actions.emplace_back(Open{entry.file.string(), {}});
-    }
-    const auto is_other = [&](const Catalogue::Entry& entry) {
-        return entry.file.native() != facts.recording;
-    };
-    if (std::ranges::none_of(facts.catalogue.own, is_other)) return;
-    desk.widgets.heading("Yours, newest first");
-    for (const Catalogue::Entry& entry : facts.catalogue.own)
-        if (is_other(entry) && desk.widgets.button(write_recording(what, entry, facts.catalogue),
-                                                   entry.title.c_str(), false, width))
-            actions.emplace_back(Open{entry.file.string(), {}});
-}
-
 }  // namespace game::ui

@@ -64,7 +64,7 @@ inline constexpr double kLeastWidth = 42, kLeastHeight = 27;
 // State that all panels share, kept between frames.
 struct Desk {
     Widgets widgets;
-    ScenePictures pictures;
+    ScenePictures pictures, shelf_pictures;  // of scenes; of what the user has made
     CardMap card_map;
     OpenPanels panels;
     Menu menu;

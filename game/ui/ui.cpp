@@ -196,7 +196,12 @@ bool Ui::perform(Verb verb) {
 }
 
 void Ui::read_pictures(const std::vector<Catalogue::Entry>& scenes) {
-    parts_->desk.pictures.read(scenes);
+    std::vector<ScenePictures::Source> sources;
+    for (const Catalogue::Entry& scene : scenes) {
+        std::filesystem::path file = scene.file;
+        sources.push_back({scene.name, file.replace_extension(".jpg")});
+    }
+    parts_->desk.pictures.show(std::move(sources));
 }
 
 void Ui::build(const Facts& facts, Actions& actions) {
@@ -245,10 +250,12 @@ void Ui::draw() {
         parts.gl_ready = true;
         parts.letters_stale = true;
     }
-    parts.desk.pictures.upload_if_read();
     parts.desk.card_map.upload_if_new();
     if (parts.letters_stale) parts.draw_letters_texture();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    // Afterwards, because the frame was built with the textures before.
+    parts.desk.pictures.upload_if_read();
+    parts.desk.shelf_pictures.upload_if_read();
     if (srgb) glEnable(GL_FRAMEBUFFER_SRGB);
 }
 

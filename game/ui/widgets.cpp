@@ -270,6 +270,16 @@ bool Widgets::card(const Card& card, ImVec2 size, bool on) {
     return pressed;
 }
 
+bool Widgets::text_field(const char* label, const char* hint, std::span<char> text, float width) {
+    std::array<char, 64> id;
+    std::snprintf(id.data(), id.size(), "##%s", label);
+    ImGui::SetNextItemWidth(width);
+    const bool ended = ImGui::InputTextWithHint(id.data(), hint, text.data(), text.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+    places_.note(label);
+    return ended;
+}
+
 bool Widgets::toggle(const char* label, bool& on, const char* text) {
     row(label);
     const float side = ImGui::GetFrameHeight(), radius = em * 0.5f;

@@ -98,6 +98,8 @@ class Widgets {
     };
     bool card(const Card& card, ImVec2 size, bool on);
 
+    // A line of text that is typed, at most as long as its room. `hint`: shown while it is empty. True if Enter ended it.
+    bool text_field(const char* label, const char* hint, std::span<char> text, float width);
     bool toggle(const char* label, bool& on, const char* tooltip);
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);
     Typed number(const Number& number);

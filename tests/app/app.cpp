@@ -1668,36 +1668,41 @@ TEST_F(Playing, tells_the_best_run_of_a_challenge_that_ships_and_not_of_another_
     EXPECT_TRUE(app_->best_runs().empty()) << "it is not open";
 }
 
-TEST_F(Playing, reads_the_pictures_of_scenes_and_does_without_those_that_are_missing_or_of_another_size) {
-    const auto put = [&](const char* name, bool is_wider) {
-        std::string bytes = read_text(support::source_dir() / "assets/scenes/flow-disc.jpg").value();
-        constexpr std::string_view kFrameHeader("\xff\xc0", 2);
-        constexpr std::size_t kWidth = 7;  // bytes after it, most significant first
-        bytes.at(bytes.find(kFrameHeader) + kWidth + 1) += is_wider ? 1 : 0;
-        std::ofstream(folder_.path() / (std::string(name) + ".jpg"), std::ios::binary) << bytes;
+TEST_F(Playing, reads_pictures_of_cards_of_any_size_and_does_without_those_that_are_damaged) {
+    const std::string jpeg = read_text(support::source_dir() / "assets/scenes/flow-disc.jpg").value();
+    const auto put = [&](const char* name, const std::string& bytes) {
+        std::ofstream(folder_.path() / name, std::ios::binary) << bytes;
     };
-    put("first", false);
-    put("large", true);
-    put("last", false);
-    std::ofstream(folder_.path() / "broken.jpg") << "no picture";
-    std::vector<Catalogue::Entry> scenes;
-    for (const std::string name : {"first", "missing", "large", "broken", "last"})
-        scenes.push_back({name, name, folder_.path() / (name + ".toml")});
+    put("first.jpg", jpeg);
+    put("broken.jpg", "no picture");
+    put("cut.jpg", jpeg.substr(0, 200));
+    for (const auto& [name, width, height] : {std::tuple("small.png", 1, 1), {"high.png", 40, 900}})
+        ASSERT_TRUE(render::write_png(
+            {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), 90)},
+            folder_.path() / name));
+    std::vector<ui::ScenePictures::Source> sources;
+    for (const char* name : {"first.jpg", "missing.jpg", "broken.jpg", "cut.jpg", "small.png", "high.png"})
+        sources.push_back({name, folder_.path() / name});
     ui::ScenePictures pictures;
-    pictures.read(scenes);
+    pictures.show(sources);
     wait_until([&] {
         pictures.upload_if_read();
-        return pictures.of("last").has_value();
+        return pictures.of("high.png").has_value();
     });
-    const auto first = pictures.of("first"), last = pictures.of("last");
+    const auto first = pictures.of("first.jpg"), last = pictures.of("high.png");
     ASSERT_TRUE(first);
-    ASSERT_TRUE(last);
+    EXPECT_TRUE(pictures.of("small.png"));
     EXPECT_EQ(first->texture, last->texture);
-    EXPECT_LT(first->from.y, 0.5f);
     EXPECT_LT(first->to.y, first->from.y) << "the lowest row comes first";
-    EXPECT_GT(last->to.y, 0.5f);
-    for (const char* none : {"missing", "large", "broken", "elsewhere"})
+    EXPECT_GT(last->to.y, first->from.y - 0.01f);
+    for (const char* none : {"missing.jpg", "broken.jpg", "elsewhere"})
         EXPECT_FALSE(pictures.of(none)) << none;
+    pictures.show({{"only", folder_.path() / "small.png"}});
+    wait_until([&] {
+        pictures.upload_if_read();
+        return pictures.of("only").has_value();
+    });
+    EXPECT_FALSE(pictures.of("first.jpg"));
 }
 
 // As play() does without --record.
@@ -1714,7 +1719,9 @@ class Keeping : public Playing {
     }
     std::size_t kept() {
         EXPECT_TRUE(app_->finish());
-        return files_in(folder_.path() / "couloir/recordings").size();
+        const auto files = files_in(folder_.path() / "couloir/recordings");
+        return static_cast<std::size_t>(std::ranges::count_if(
+            files, [](const std::filesystem::path& file) { return file.extension() == ".couloir"; }));
     }
 };
 
@@ -1810,6 +1817,22 @@ TEST_F(Playing, goes_on_from_the_end_of_a_recording_that_the_menu_continues) {
     stroke(2);
     EXPECT_NE(*app_->recording(), old) << "which stays as it is";
     expect_recording_replays();
+}
+
+TEST_F(Keeping, pictures_a_session_and_leaves_a_file_alone_that_is_open) {
+    begin_in_folder("alpine-valley");
+    const auto open = *app_->recording();
+    stroke(20);
+    ASSERT_GT(mass().poured, 0);
+    tap(Key::kEscape);
+    click("Watch");
+    EXPECT_FALSE(shows("Rename")) << "the only recording is being written";
+    ASSERT_TRUE(app_->finish());
+    const auto picture = render::read_png(picture_of(open), 3);
+    ASSERT_TRUE(picture) << picture.error();
+    EXPECT_EQ(picture->width, SessionPicture::kWidth);
+    EXPECT_EQ(picture->height, SessionPicture::kHeight);
+    EXPECT_NE(std::ranges::max(picture->values), std::ranges::min(picture->values));
 }
 
 TEST_F(Keeping, leaves_no_recording_of_a_session_in_which_nothing_was_done) {

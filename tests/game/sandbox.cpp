@@ -469,12 +469,12 @@ TEST(Sandbox, says_that_the_disk_is_full_and_plays_on_without_a_recording) {
 TEST(Recordings, of_ones_own_are_offered_the_newest_first) {
     const support::TemporaryFolder folder;
     ASSERT_EQ(setenv("XDG_DATA_HOME", folder.path().c_str(), 1), 0);
-    EXPECT_TRUE(own_recordings().empty());  // no such folder yet
+    EXPECT_TRUE(own_entries(ShelfKind::kRecording).empty());  // no such folder yet
     std::filesystem::create_directories(folder.path() / "couloir/recordings");
     for (const char* name :
          {"2026-01-02_a.couloir", "2026-01-03_a.couloir", "2025-12-31_a.couloir", "note.txt"})
         std::ofstream(folder.path() / "couloir/recordings" / name) << "x";
-    const auto own = own_recordings();
+    const auto own = own_entries(ShelfKind::kRecording);
     ASSERT_EQ(own.size(), 3u);
     EXPECT_EQ(own[0].name, "2026-01-03_a");
     EXPECT_EQ(own[2].name, "2025-12-31_a");

@@ -90,9 +90,68 @@ TEST_F(UiMenu, opens_a_harder_challenge_with_gold_in_the_other_one) {
 
 TEST_F(UiMenu, opens_a_recording_by_its_file_because_scenes_have_names_too) {
     open_page("Watch");
-    EXPECT_EQ(only<Open>(click("Watch slope")).name_or_path, "/recordings/slope.couloir");
-    EXPECT_EQ(only<Open>(click("A valley, 21 Nov 18:04")).name_or_path, "/own/newest.couloir");
-    EXPECT_EQ(only<Open>(click("mine")).name_or_path, "/own/mine.couloir");
+    const auto choose = [&](const char* list, const char* item) {
+        EXPECT_TRUE(click(list).empty());
+        EXPECT_TRUE(click(item).empty());
+        settle();
+    };
+    EXPECT_TRUE(click("A valley, 21 Nov 18:04").empty()) << "a card does not begin at the first touch";
+    settle();
+    const Open watched = only<Open>(click("Watch"));
+    EXPECT_EQ(watched.name_or_path, "/own/newest.couloir");
+    EXPECT_FALSE(watched.goes_on);
+    EXPECT_TRUE(only<Open>(click("Continue at its end")).goes_on);
+    choose("Shelf", "Slides that ship");
+    EXPECT_TRUE(click("A slope that slid").empty());
+    settle();
+    EXPECT_EQ(only<Open>(click("Watch")).name_or_path, "/recordings/slope.couloir");
+    EXPECT_FALSE(ui_->find("Rename"));
+}
+
+TEST_F(UiMenu, finds_and_sorts_what_the_user_has_made) {
+    open_page("Watch");
+    const auto is_left_of = [&](const char* one, const char* other) { return place(one).x < place(other).x; };
+    EXPECT_TRUE(is_left_of("A valley, 21 Nov 18:04", "mine"));
+    EXPECT_TRUE(click("Order").empty());
+    EXPECT_TRUE(click("oldest first").empty());
+    settle();
+    EXPECT_TRUE(is_left_of("mine", "A valley, 21 Nov 18:04"));
+    EXPECT_TRUE(click("Search").empty());
+    screen_.type("MIN");
+    settle();
+    EXPECT_TRUE(ui_->find("mine"));
+    EXPECT_FALSE(ui_->find("A valley, 21 Nov 18:04"));
+}
+
+TEST_F(UiMenu, renames_and_throws_away_only_once_it_was_asked_again) {
+    open_page("Watch");
+    EXPECT_TRUE(click("mine").empty());
+    settle();
+    EXPECT_TRUE(click("Rename").empty());
+    settle();
+    EXPECT_TRUE(click("Keep the name").empty());
+    settle();
+    EXPECT_TRUE(click("Rename").empty());
+    settle();
+    EXPECT_TRUE(click("New name").empty());
+    screen_.tap(Key::kEnd);
+    settle();
+    screen_.type(" two");
+    settle();
+    const auto renamed = only<RenameFile>(click("Rename it"));
+    EXPECT_EQ(renamed.file, "/own/mine.couloir");
+    EXPECT_EQ(renamed.name, "mine two");
+    settle();
+    EXPECT_TRUE(click("mine").empty());
+    settle();
+    EXPECT_EQ(only<ShowFile>(click("Folder")).file, "/own/mine.couloir");
+    EXPECT_TRUE(click("Throw away").empty());
+    settle();
+    EXPECT_TRUE(click("Keep it").empty());
+    settle();
+    EXPECT_TRUE(click("Throw away").empty());
+    settle();
+    EXPECT_EQ(only<ThrowAway>(click("To the trash")).file, "/own/mine.couloir");
 }
 
 TEST_F(UiMenu, goes_back_from_a_page_and_closes_for_a_panel) {

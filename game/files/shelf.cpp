@@ -1,0 +1,96 @@
+#include "game/files/shelf.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include "game/files/recordings_folder.h"
+#include "game/files/trash.h"
+#include "game/files/user_folders.h"
+
+namespace game {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *kRecordingEnding = ".couloir", *kPictureEnding = ".png";
+
+Outcome<fs::path> folder_of(ShelfKind kind) {
+    return kind == ShelfKind::kRecording ? recordings_folder() : screenshots_folder();
+}
+
+// The name without blanks around it. Errors: it is none, or has what some system does not allow.
+Outcome<std::string> usable_name(const std::string& name) {
+    constexpr std::string_view kBlank = " \t", kNever = "/\\<>:\"|?*";
+    constexpr std::size_t kMost = 200;  // bytes; a file system has 255
+    const std::size_t from = name.find_first_not_of(kBlank), to = name.find_last_not_of(kBlank);
+    if (from == std::string::npos || name[from] == '.') return unusable("A file needs a name");
+    std::string text = name.substr(from, to - from + 1);
+    if (text.size() > kMost) return unusable(fmt::format("A name has at most {} bytes", kMost));
+    for (const char each : text)
+        if (kNever.find(each) != std::string_view::npos || static_cast<unsigned char>(each) < ' ')
+            return unusable(fmt::format("A name cannot have {}", kNever));
+    return text;
+}
+
+bool move_to(const fs::path& from, const fs::path& to) {
+    return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0;
+}
+
+}  // namespace
+
+fs::path picture_of(const fs::path& recording) {
+    return fs::path(recording).replace_extension(kPictureEnding);
+}
+
+std::vector<ShelfFile> shelf(ShelfKind kind, std::size_t most) {
+    std::vector<ShelfFile> files;
+    const auto folder = folder_of(kind);
+    if (!folder) return files;
+    const char* const ending = kind == ShelfKind::kRecording ? kRecordingEnding : kPictureEnding;
+    std::error_code error;
+    for (fs::directory_iterator entry(*folder, error), end; !error && entry != end; entry.increment(error)) {
+        struct stat facts {};
+        if (entry->path().extension() != ending || stat(entry->path().c_str(), &facts) != 0) continue;
+        // An empty one is still being made.
+        if (S_ISREG(facts.st_mode) && facts.st_size > 0) files.push_back({entry->path(), facts.st_mtime});
+    }
+    std::ranges::sort(files, [](const ShelfFile& one, const ShelfFile& other) {
+        return std::tie(other.written, other.file) < std::tie(one.written, one.file);
+    });
+    if (files.size() > most) files.resize(most);
+    return files;
+}
+
+Outcome<fs::path> rename_on_shelf(const fs::path& file, const std::string& name) {
+    const auto usable = usable_name(name);
+    if (!usable) return tl::unexpected(usable.error());
+    const fs::path to = file.parent_path() / (*usable + file.extension().string());
+    if (to == file) return to;
+    if (!move_to(file, to))
+        return errno == EEXIST ? unusable(fmt::format("There is a {} already", to.filename().string()))
+                               : machine_fails(fmt::format("{}: cannot be renamed: {}", file.string(),
+                                                           std::strerror(errno)));
+    // Without a picture, or beside one that has that name already, it is one without.
+    if (file.extension() == kRecordingEnding) move_to(picture_of(file), picture_of(to));
+    return to;
+}
+
+Outcome<void> throw_away(const fs::path& file) {
+    if (auto moved = move_to_trash(file); !moved) return moved;
+    std::error_code error;
+    if (file.extension() == kRecordingEnding) fs::remove(picture_of(file), error);
+    return {};
+}
+
+}  // namespace game
