@@ -24,6 +24,8 @@ namespace game {
 namespace {
 
 constexpr double kTickBudget = 0.04;             // s per frame; more would make the display stutter
+constexpr double kSkipBudget = 0.15;             // s per frame, while the end is all that is asked for
+constexpr int kSkippedTicks = 600;               // in a frame, at most
 constexpr double kOpeningSpeed = 2;              // ×
 constexpr glm::dvec2 kPlaceToClick(1325, 1775);  // m, on the guide's mountain: where a small blast does most
 
@@ -120,6 +122,7 @@ bool App::frame() {
     input_.add(gamepad_.turn(), gamepad_.walk());
     perform_all();
     tell_results();
+    open_.marks.forget_after(sandbox_->known_until());
 
     // The camera before the brush: the brush is where the cursor meets the ground in the new view.
     if (size.width > 0) move_camera(elapsed_s);
@@ -354,12 +357,15 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
     time_.set_pace(now_s(), display_.slow_release, display_.fast_creep,
                    hand_.stroke() || sandbox_->scenario().flow);
-    const int due = clock.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
+    if (hand_.stroke() || clock.paused() || clock.runs_back() || time_.target()) open_.skips = false;
+    const int by_clock = clock.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
+    const int due = open_.skips ? kSkippedTicks : by_clock;
     const double begun = screen_.seconds();
     if (clock.runs_back() && !time_.target()) time_.rewind_to(sandbox_->session().state().tick - due);
     if (time_.target()) return seek(*time_.target(), begun);
     const auto may_go_on = [&](double spent) {
-        return !sandbox_->watched_to_end() && (time.ticks == 0 || spent < kTickBudget);
+        return !sandbox_->watched_to_end() &&
+               (time.ticks == 0 || spent < (open_.skips ? kSkipBudget : kTickBudget));
     };
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
         const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
@@ -373,13 +379,15 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
                 break;
             }
         }
-        sounds_.see(sandbox_->session(), sandbox_->last_commands());
+        if (!open_.skips) sounds_.see(sandbox_->session(), sandbox_->last_commands());
+        open_.marks.see(sandbox_->session(), sandbox_->last_commands());
         judge_attempt();
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
     }
-    clock.ticks_undone(due - time.ticks);
+    if (!open_.skips) clock.ticks_undone(due - time.ticks);
+    if (sim::at_rest(sandbox_->session().state()) || has_card()) open_.skips = false;
     if (time.ticks > 0) {
         hand_.arrive(static_cast<double>(time.ticks) / due);
         time_.pace().see(sandbox_->session().state(), now_s());
@@ -564,8 +572,7 @@ void App::draw_world(const FrameTime& time) {
 // Keeps the image of the moment at which most moves, for the list of recordings.
 void App::picture_session() {
     const std::int64_t moving = sandbox_->session().state().ledger.rolling;
-    if (sandbox_->watches() || !file_.path() || !open_.picture.wants(moving, now_s())) return;
-    open_.picture.take(image_.shown(), moving, now_s());
+    if (!sandbox_->watches() && file_.path() && open_.picture.see(moving)) open_.picture.take(image_.shown());
 }
 
 // Of the world as last shown.
@@ -680,6 +687,8 @@ void App::draw_panels() {
             .keys = keys(),
             .gamepad = gamepad_.is_there() ? &gamepad_ : nullptr,
             .timeline = timeline,
+            .time_marks = open_.marks.all(),
+            .skips = open_.skips,
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
             .sound_fault = sounds_.fault(),

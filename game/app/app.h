@@ -20,6 +20,7 @@
 #include "game/app/sharing.h"
 #include "game/app/shown_runs.h"
 #include "game/app/sounds.h"
+#include "game/app/time_marks.h"
 #include "game/app/tutorial.h"
 #include "game/app/world_image.h"
 #include "game/base/outcome.h"
@@ -179,6 +180,9 @@ class App {
     void take_over();
     bool may_go_back();  // false: shows a notice with the reason
     void step_back();
+    void skip();
+    std::int64_t shortly_before() const;  // tick
+    void go_to_mark(const std::optional<std::int64_t>& tick);
     void run_back();
     void tell_hands_off();
 
@@ -214,6 +218,8 @@ class App {
         DamLines dam_lines;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
         SessionPicture picture;
+        TimeMarks marks;
+        bool skips = false;  // to the end of the slide
     };
 
     Screen& screen_;

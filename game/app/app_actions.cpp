@@ -58,6 +58,12 @@ void App::perform(Verb verb) {
             return step_back();
         case Verb::kRunBack:
             return run_back();
+        case Verb::kMarkBefore:
+            return go_to_mark(open_.marks.before(shortly_before()));
+        case Verb::kMarkAfter:
+            return go_to_mark(open_.marks.after(sandbox_->session().state().tick));
+        case Verb::kSkip:
+            return skip();
         case Verb::kTakeOver:
             return take_over();
         case Verb::kUndo:
@@ -335,6 +341,27 @@ void App::step_back() {
     perform(SeekTick{sandbox_->session().state().tick - 1});
 }
 
+// Who asks for the mark before shortly after one means the one before that.
+std::int64_t App::shortly_before() const {
+    constexpr double kShortly = 1;  // s
+    const sim::State& state = sandbox_->session().state();
+    return state.tick - std::lround(kShortly / static_cast<double>(state.params.tick_s));
+}
+
+void App::go_to_mark(const std::optional<std::int64_t>& tick) {
+    if (!tick) return tell("No mark on the timeline lies there");
+    perform(SeekTick{*tick});
+}
+
+// What is known is gone to; what is not is run as fast as the machine can.
+void App::skip() {
+    if (sandbox_->looks_back()) return perform(SeekTick{sandbox_->known_until()});
+    if (sim::at_rest(sandbox_->session().state()))
+        return tell("Nothing moves, so there is no end to skip to");
+    open_.skips = !open_.skips;
+    if (open_.skips) time_.clock().pause(false);
+}
+
 void App::run_back() {
     if (!may_go_back()) return;
     time_.turn_round();
@@ -550,6 +577,7 @@ Outcome<void> App::begin_afresh(LoadedWorld loaded) {
 Outcome<void> App::close_recording() {
     const auto recording = file_.path();
     const bool is_listed = !file_.wanted() && file_.remains(sandbox_->was_touched());
+    if (is_listed && open_.picture.is_late() && !image_.failure()) open_.picture.take(image_.shown());
     auto closed = sandbox_->finish();
     if (closed) file_.end(sandbox_->was_touched());
     if (closed && recording && is_listed)
@@ -590,6 +618,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     sounds_.listen_to(sandbox_->session());
     first_ = std::move(loaded);
     open_ = {};
+    if (first_.watched) open_.marks.begin(first_.watched->commands);
     image_.begin_world(memory_for_frames(first_));
     file_.want(std::move(record));
     file_.begin(std::move(recording));

@@ -1,23 +1,23 @@
 #include "game/app/session_picture.h"
 
+#include <algorithm>
+
 #include "game/files/shelf.h"
 #include "render/pictures/fit.h"
 
 namespace game {
 
-bool SessionPicture::wants(std::int64_t moving, double now_s) const {
-    constexpr double kPause = 2;  // s
-    if (picture_ && now_s - taken_s_ < kPause) return false;
-    return moving > moving_ + moving_ / 4;
+bool SessionPicture::see(std::int64_t moving) {
+    peak_ = std::max(peak_, moving);
+    return is_late() && moving < peak_ - peak_ / 8;
 }
 
-void SessionPicture::take(const render::Picture& image, std::int64_t moving, double now_s) {
+void SessionPicture::take(const render::Picture& image) {
     picture_ = render::Picture{
         kWidth, kHeight,
         render::fitted(image.pixels, {image.width, image.height, image.channels}, kWidth, kHeight),
         image.channels};
-    moving_ = moving;
-    taken_s_ = now_s;
+    taken_ = peak_;
 }
 
 Outcome<void> SessionPicture::write(const std::filesystem::path& recording) const {

@@ -14,16 +14,17 @@ class SessionPicture {
   public:
     static constexpr int kWidth = 288, kHeight = 162;  // px
 
-    // Whether the image that is shown now is to be taken: more moves than in the last one, and that was a while ago.
-    bool wants(std::int64_t moving, double now_s) const;
-    void take(const render::Picture& image, std::int64_t moving, double now_s);
+    // Sees what moves in a frame, quanta. True if the image that is shown now is to be taken: most has just moved.
+    bool see(std::int64_t moving);
+    // Whether more has moved since than when the image was taken; what moves may still be growing.
+    bool is_late() const { return peak_ > taken_ + taken_ / 4; }
+    void take(const render::Picture& image);
     // Writes it beside the recording; nothing if none was taken. Errors: it cannot be written (3).
     Outcome<void> write(const std::filesystem::path& recording) const;
 
   private:
     std::optional<render::Picture> picture_;
-    std::int64_t moving_ = 0;  // quanta, when it was taken
-    double taken_s_ = 0;
+    std::int64_t peak_ = 0, taken_ = 0;  // of what moved, quanta: until now, and when the image was taken
 };
 
 }  // namespace game

@@ -30,8 +30,11 @@ enum class Verb {
     kUsualSpeed,  // 1
     kStepBack,    // one tick back, then pause
     kRunBack,     // toggles rewinding
-    kTakeOver,    // branch: continue from this tick
-    kUndo,        // go back to just before the last action
+    kMarkBefore,  // goes to the nearest mark on the timeline
+    kMarkAfter,
+    kSkip,      // toggles: runs the slide to its end, or goes to the present
+    kTakeOver,  // branch: continue from this tick
+    kUndo,      // go back to just before the last action
     kRedo,
     kReset,  // restart the scene
     kSmallerBrush,

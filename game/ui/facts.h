@@ -36,6 +36,14 @@ struct Timeline {
     bool can_go_back = true;
 };
 
+// A moment on the timeline that one can jump to.
+struct TimeMark {
+    enum class Kind : std::uint8_t { kAction, kHit };
+    std::int64_t tick = 0;
+    Kind kind = Kind::kAction;
+    const char* word = "";  // a literal
+};
+
 // What the stroke in progress is about, told beside the cursor.
 struct StrokeNote {
     glm::dvec2 cursor{0};                   // px from the top left
@@ -151,6 +159,8 @@ struct Facts {
     Keys keys;                         // and their names
     const Gamepad* gamepad = nullptr;  // none: there is none
     Timeline timeline;
+    std::span<const TimeMark> time_marks = {};                             // by tick
+    bool skips = false;                                                    // to the end of the slide
     bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
     bool is_bare() const {
         return game::is_bare(scenario, state) && !scenario.goal && !looks_back() && !timeline.watches;

@@ -92,6 +92,10 @@ void draw_time(const Pen& pen, Icon icon) {
         case Icon::kStep:
             pen.triangle({-0.75f, -0.75f}, {0.35f, 0}, {-0.75f, 0.75f});
             return pen.box(0.45f, -0.75f, 0.8f, 0.75f);
+        case Icon::kSkip:
+            pen.triangle({-0.9f, -0.7f}, {-0.1f, 0}, {-0.9f, 0.7f});
+            pen.triangle({-0.15f, -0.7f}, {0.6f, 0}, {-0.15f, 0.7f});
+            return pen.box(0.65f, -0.7f, 0.9f, 0.7f);
         case Icon::kBack:
             pen.triangle({0.05f, -0.7f}, {-0.85f, 0}, {0.05f, 0.7f});
             return pen.triangle({0.85f, -0.7f}, {-0.05f, 0}, {0.85f, 0.7f});

@@ -13,6 +13,7 @@ enum class Icon {
     kPause,
     kPlay,
     kStep,
+    kSkip,
     kBack,
     kUndo,
     kRedo,

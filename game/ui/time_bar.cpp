@@ -10,7 +10,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kWidth = 43.2f;  // em
+constexpr float kWidth = 45.5f;  // em
 constexpr std::array<const char*, 8> kSpeeds{"1/8 ×", "1/4 ×", "1/2 ×", "1 ×", "2 ×", "4 ×", "8 ×", "16 ×"};
 constexpr int kUsual = 3;  // index of 1 ×
 
@@ -62,6 +62,9 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     if (verb_button(desk, facts, "Step", Icon::kStep, Verb::kStepOnce, "runs one tick and pauses."))
         actions.emplace_back(Verb::kStepOnce);
+    ImGui::SameLine();
+    if (verb_button(desk, facts, "Skip", Icon::kSkip, Verb::kSkip, "runs the slide to its end.", facts.skips))
+        actions.emplace_back(Verb::kSkip);
     ImGui::SameLine();
     speed(desk, facts, actions);
     ImGui::SameLine(0, desk.em());
@@ -136,6 +139,26 @@ void moment(Desk& desk, const Facts& facts) {
     if (facts.clock.behind()) desk.widgets.tooltip("The computer cannot keep up with the chosen speed.");
 }
 
+// Marks over the bar: a triangle where something was done, a diamond where something was hit. Returns the one under the
+// cursor.
+const TimeMark* marks_over(Desk& desk, const Facts& facts, ImVec2 corner, float width, double known) {
+    const float em = desk.em(), reach = em * 0.4f, top = corner.y - em * 0.12f, size = em * 0.26f;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const TimeMark* under = nullptr;
+    for (const TimeMark& mark : facts.time_marks) {
+        const float x = corner.x + width * static_cast<float>(static_cast<double>(mark.tick) / known);
+        const bool on = ImGui::IsItemHovered() && std::abs(mouse.x - x) < reach;
+        if (on) under = &mark;
+        if (mark.kind == TimeMark::Kind::kHit)
+            list.AddQuadFilled({x, top - size}, {x + size, top}, {x, top + size}, {x - size, top}, kDanger);
+        else
+            list.AddTriangleFilled({x - size, top - size}, {x + size, top - size}, {x, top + size},
+                                   on ? kText : kDimText);
+    }
+    return under;
+}
+
 // A scrub bar over all known time.
 void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     if (!facts.timeline.can_go_back) return;
@@ -146,7 +169,6 @@ void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     desk.widgets.note("Timeline");
     const bool held = ImGui::IsItemActive(), near = held || ImGui::IsItemHovered();
     const double pointed = std::clamp((ImGui::GetIO().MousePos.x - corner.x) / width, 0.f, 1.f) * known;
-    if (held) actions.emplace_back(SeekTick{std::llround(pointed)});
 
     const float knob = corner.x + width * static_cast<float>(static_cast<double>(facts.state.tick) / known);
     const float middle = corner.y + em * 0.45f, thick = em * 0.11f;
@@ -155,11 +177,14 @@ void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     list.AddRectFilled({corner.x, middle - thick}, {knob, middle + thick}, kAccent, thick);
     list.AddCircleFilled({std::clamp(knob, corner.x + em * 0.3f, corner.x + width - em * 0.3f), middle},
                          em * (near ? 0.36f : 0.28f), near ? kText : kAccent);
+    const TimeMark* const mark = marks_over(desk, facts, corner, width, known);
+    const double to = mark ? static_cast<double>(mark->tick) : pointed;
+    if (held) actions.emplace_back(SeekTick{std::llround(to)});
     if (!near) return;
+    const auto tick_s = static_cast<double>(facts.state.params.tick_s);
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%.1f s of %.1f s",
-                  pointed * static_cast<double>(facts.state.params.tick_s),
-                  known * static_cast<double>(facts.state.params.tick_s));
+    std::snprintf(text.data(), text.size(), "%s%s%.1f s of %.1f s", mark ? mark->word : "", mark ? ": " : "",
+                  to * tick_s, known * tick_s);
     desk.widgets.tooltip(text.data());
 }
 

@@ -982,6 +982,36 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "the abandoned part is kept";
 }
 
+TEST_F(Playing, jumps_to_marks_and_skips_to_the_end_of_a_slide) {
+    begin();
+    tap(Key::kEnd);
+    EXPECT_NE(last_notice().find("Nothing moves"), std::string::npos) << last_notice();
+    frames(30);
+    stroke(20);
+    const std::int64_t done = app_->sandbox().commands_so_far().front().tick;
+    tap(Key::kEnd);
+    const std::int64_t before = state().tick;
+    frames(3);
+    EXPECT_GT(state().tick, before + 3) << "faster than the screen";
+    wait_until([&] {
+        frames(1);
+        return sim::at_rest(state()) || shows("Result");
+    });
+    const StateLine end = line();
+    tap(Key::kComma, {.control = true});
+    frames(2);
+    EXPECT_NEAR(static_cast<double>(state().tick), static_cast<double>(done), 5);
+    tap(Key::kComma, {.control = true});
+    EXPECT_NE(last_notice().find("No mark"), std::string::npos) << last_notice();
+    tap(Key::kEnd);
+    wait_until([&] {
+        frames(1);
+        return !app_->sandbox().looks_back();
+    });
+    EXPECT_GE(state().tick, end.tick);
+    expect_recording_replays();
+}
+
 TEST_F(Playing, runs_back_to_the_beginning_and_stands_there) {
     begin();
     const StateLine first = line();
