@@ -78,7 +78,7 @@ std::span<const PadPart> pad_parts() {
 }
 
 std::string_view pad_name_of(Verb verb) {
-    const auto* const found = std::ranges::find(kBindings, verb, &PadBinding::does);
+    const auto found = std::ranges::find(kBindings, verb, &PadBinding::does);
     return found == kBindings.end() ? std::string_view() : found->name;
 }
 

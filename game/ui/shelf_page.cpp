@@ -63,6 +63,7 @@ std::optional<ScenePictures::Part> picture_of_entry(Desk& desk, const Entry& ent
 void ask_for_pictures(Desk& desk, const std::vector<const Entry*>& all) {
     if (desk.menu.shelf == Menu::Shelf::kShipped) return;
     std::vector<ScenePictures::Source> sources;
+    sources.reserve(all.size());
     for (const Entry* entry : all) sources.push_back({entry->file.native(), entry->picture});
     desk.shelf_pictures.show(std::move(sources));
 }

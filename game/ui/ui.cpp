@@ -197,6 +197,7 @@ bool Ui::perform(Verb verb) {
 
 void Ui::read_pictures(const std::vector<Catalogue::Entry>& scenes) {
     std::vector<ScenePictures::Source> sources;
+    sources.reserve(scenes.size());
     for (const Catalogue::Entry& scene : scenes) {
         std::filesystem::path file = scene.file;
         sources.push_back({scene.name, file.replace_extension(".jpg")});
