@@ -253,12 +253,27 @@ void App::move_camera(double elapsed_s) {
 void App::guide_stroke() {
     if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
     fit_hand();
-    if (input_.brush_pressed()) begin_stroke();
+    if (input_.brush_pressed() && !begin_section()) begin_stroke();
     const auto released_at = input_.brush_released_at();
     const auto at =
         released_at ? lookout_.ground_under(*released_at, sandbox_->session().view()) : lookout_.ground();
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
+    draw_section(at);
     if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
+}
+
+// A press that begins the line of the cross-section is no stroke; not even where there is no ground.
+bool App::begin_section() {
+    if (!open_.measuring.takes_press()) return false;
+    const auto at = lookout_.ground_under(input_.drag_from(), sandbox_->session().view());
+    if (at) open_.measuring.press(glm::dvec2(*at));
+    return true;
+}
+
+void App::draw_section(const std::optional<glm::dvec3>& at) {
+    const sim::View world = sandbox_->session().view();
+    if (at) open_.measuring.move_to(glm::dvec2(*at), static_cast<double>(world.grid.dx), open_.probe->zero());
+    if (!input_.brush_held()) open_.measuring.release();
 }
 
 // A challenge has its own tools and limits.
@@ -550,7 +565,8 @@ render::Marks App::marks() const {
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
     if (tutorial_.shows_opening()) return marks;
-    const bool wanted = !ui_.hides_panels() || hand_.stroke();  // without panels the image is for looking
+    const bool wanted = (!ui_.hides_panels() && !open_.measuring.takes_press()) ||
+                        hand_.stroke();  // without panels the image is for looking
     if (lookout_.ground() && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow)
         show_hand(marks);
     return marks;
@@ -639,11 +655,22 @@ void App::trace_runs() {
         runs_->point_nowhere();
 }
 
+// While its panel is open.
+void App::measure() {
+    if (!ui_.shows_measures()) return open_.measuring.wait_for_line(false);
+    const Session& session = sandbox_->session();
+    open_.measuring.see(session.view(), session.peaks());
+    const ScreenSize size = screen_.size();
+    open_.measuring.trace({camera(), size.width, size.height, static_cast<std::int64_t>(session.seconds())},
+                          [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, session.view()); });
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
     trace_dam();
     trace_runs();
+    measure();
     std::optional<Reading> reading;
     if (const auto& ground = lookout_.ground())
         reading = open_.probe->read(session.view(), glm::dvec2(*ground));
@@ -675,6 +702,7 @@ void App::draw_panels() {
             .card = open_.results.card(*sandbox_),
             .ghost = open_.ghost_note,
             .runs = runs_ ? std::optional(runs_->note(ground)) : std::nullopt,
+            .section = ui_.shows_measures() ? std::optional(open_.measuring.note()) : std::nullopt,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),

@@ -12,6 +12,7 @@
 #include "game/app/filming.h"
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
+#include "game/app/measuring.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
 #include "game/app/session_file.h"
@@ -146,6 +147,7 @@ class App {
     void perform(const ShowFile& wish);
     bool is_in_use(const std::filesystem::path& file);  // true: said so
     void perform(const StopFilm&);
+    void perform(const DrawSection& wish);
     void pause(bool on);
     void undo();
     void redo();
@@ -167,6 +169,9 @@ class App {
     void trace_goal();
     void trace_dam();
     void trace_runs();
+    bool begin_section();  // false: the press is no part of it
+    void draw_section(const std::optional<glm::dvec3>& at);
+    void measure();
     void open_run(std::int64_t run);
     render::Camera home() const;
     void tell_camera_mode();
@@ -216,6 +221,7 @@ class App {
         Results results;
         GoalLines goal_lines;
         DamLines dam_lines;
+        Measuring measuring;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
         SessionPicture picture;
         TimeMarks marks;

@@ -505,6 +505,10 @@ void App::perform(const StopFilm&) {
     tell("The film was stopped; nothing of it is kept");
 }
 
+void App::perform(const DrawSection& wish) {
+    open_.measuring.wait_for_line(wish.waits);
+}
+
 void App::tell_film() {
     const auto made = filming_.result();
     if (!made) return;

@@ -51,6 +51,7 @@ enum class Verb {
     kToggleDisplay,
     kTogglePerformance,
     kToggleFilm,
+    kToggleMeasure,
     kToggleHelp,
     kClosePanel,    // the open list, else the help, else the last opened panel; else opens the menu
     kMenu,          // opens and closes it
@@ -134,6 +135,11 @@ struct FilmSlide {
 };
 struct StopFilm {};
 
+// The next drag on the terrain is the line of the cross-section, and no stroke; or no longer.
+struct DrawSection {
+    bool waits;
+};
+
 // Covers ground on which nothing lies with material, and begins its world anew.
 struct CoverGround {
     double depth;  // m
@@ -143,7 +149,7 @@ struct CoverGround {
 using Action =
     std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
                  GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround, BindKey,
-                 ResetKeys, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile>;
+                 ResetKeys, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile, DrawSection>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

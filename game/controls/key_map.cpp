@@ -49,6 +49,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{function_key(5), kAlone, false, Verb::kTogglePerformance, "performance_panel",
                "performance panel"},
     KeyBinding{function_key(6), kAlone, false, Verb::kToggleFilm, "film_panel", "film panel"},
+    KeyBinding{function_key(7), kAlone, false, Verb::kToggleMeasure, "measure_panel", "measure panel"},
     KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close",
                "close a list or a panel; else show the menu"},
     KeyBinding{function_key(9), kAlone, false, Verb::kMenu, "menu", "menu"},

@@ -21,13 +21,6 @@ bool on_grid(const sim::Grid& grid, glm::dvec2 at) {
     return p.x >= -kBeside && p.y >= -kBeside && p.x <= grid.nx - 1 + kBeside && p.y <= grid.ny - 1 + kBeside;
 }
 
-bool has_data(const Square& square, const sim::Field<sim::Site>& site) {
-    for (const int y : {square.y, square.y + 1})
-        for (const int x : {square.x, square.x + 1})
-            if (site(x, y) == sim::Site::kDrain) return false;
-    return true;
-}
-
 // Gradient of the bilinear patch: tangents toward east and north.
 glm::dvec2 gradient(const sim::View& world, const Square& square) {
     const auto height = [&](int x, int y) {
@@ -39,14 +32,6 @@ glm::dvec2 gradient(const sim::View& world, const Square& square) {
     return glm::dvec2(glm::mix(south_east - south_west, north_east - north_west, across.y),
                       glm::mix(north_west - south_west, north_east - south_east, across.x)) /
            static_cast<double>(world.grid.dx);
-}
-
-// Tangents of the ground, interpolated between the vertices, so that at a vertex they are those of its peaks.
-glm::dvec2 slope_of_ground(const sim::View& world, const Square& square) {
-    const auto [x, y, across] = square;
-    const auto at = [&](int i, int j) { return glm::dvec2(ground_slope(world, i, j)); };
-    return glm::mix(glm::mix(at(x, y), at(x + 1, y), across.x),
-                    glm::mix(at(x, y + 1), at(x + 1, y + 1), across.x), across.y);
 }
 
 // The nearest object within a quarter of a cell, so that a thin one can be met too.
@@ -68,6 +53,20 @@ std::optional<double> aspect(glm::dvec2 rise) {
 }
 
 }  // namespace
+
+bool has_data(const Square& square, const sim::Field<sim::Site>& site) {
+    for (const int y : {square.y, square.y + 1})
+        for (const int x : {square.x, square.x + 1})
+            if (site(x, y) == sim::Site::kDrain) return false;
+    return true;
+}
+
+glm::dvec2 slope_of_ground(const sim::View& world, const Square& square) {
+    const auto [x, y, across] = square;
+    const auto at = [&](int i, int j) { return glm::dvec2(ground_slope(world, i, j)); };
+    return glm::mix(glm::mix(at(x, y), at(x + 1, y), across.x),
+                    glm::mix(at(x, y + 1), at(x + 1, y + 1), across.x), across.y);
+}
 
 double zero_of_heights(const sim::View& world, const terrains::Georeference& georeference) {
     double lowest = 0;

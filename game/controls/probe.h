@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "game/scene/pressure.h"
+#include "game/scene/surface.h"
 #include "sim/world/state.h"
 #include "sim/world/things.h"
 #include "terrains/georeference.h"
@@ -41,6 +42,12 @@ struct Reading {
 // on Earth. Without such a place, if ground lies below zero, its lowest point, because nothing there is at −30 m.
 double zero_of_heights(const sim::View& world, const terrains::Georeference& georeference);
 
+// Whether all four vertices around a place have data.
+bool has_data(const Square& square, const sim::Field<sim::Site>& site);
+// Tangents of the ground along which the rolling layer moves, interpolated between the vertices: at a vertex they are
+// those that its peaks were found with.
+glm::dvec2 slope_of_ground(const sim::View& world, const Square& square);
+
 // Reads the world at single points. Does not allocate.
 class Probe {
   public:
@@ -52,6 +59,7 @@ class Probe {
     // Interpolates bilinearly between the four surrounding vertices. Nothing outside the grid or if one of
     // the four has no data. A point up to a millionth of a cell outside counts as on the border.
     std::optional<Reading> read(const sim::View& world, glm::dvec2 at);
+    double zero() const { return zero_; }
 
   private:
     terrains::Locator locator_;

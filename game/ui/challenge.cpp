@@ -110,6 +110,7 @@ ImU32 colour_of(GoalLine::Around around) {
         case GoalLine::Around::kEvent:
             return kDanger;
         case GoalLine::Around::kDam:
+        case GoalLine::Around::kSection:
             return kText;
     }
     return kText;

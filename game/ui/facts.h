@@ -15,6 +15,7 @@
 #include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
+#include "game/controls/cross_section.h"
 #include "game/controls/display.h"
 #include "game/controls/frame_times.h"
 #include "game/controls/gamepad.h"
@@ -85,7 +86,7 @@ struct ResultCard {
 // A dash around the zone of a challenge, around an area that it counts in, or around where the scene will act; or a line up a
 // dam.
 struct GoalLine {
-    enum class Around : std::uint8_t { kZone, kCounted, kEvent, kDam };
+    enum class Around : std::uint8_t { kZone, kCounted, kEvent, kDam, kSection };
     glm::dvec2 from{0}, to{0};  // px from the top left
     Around around = Around::kZone;
 };
@@ -129,6 +130,14 @@ struct RunsNote {
     std::optional<double> probability = {};  // of the ground under the cursor, 0 to 1
 };
 
+// A cross-section, and where its line is on the screen.
+struct SectionNote {
+    const CrossSection& section;
+    bool waits = false;                            // for the drag that draws its line
+    std::span<const GoalLine> pieces = {};         // of the line that can be seen
+    std::optional<glm::dvec2> from = {}, to = {};  // its ends, px from the top left; nothing if hidden
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -148,6 +157,7 @@ struct Facts {
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::optional<RunsNote> runs = {};
+    std::optional<SectionNote> section = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;

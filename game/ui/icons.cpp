@@ -143,6 +143,9 @@ void draw_panel(const Pen& pen, Icon icon) {
         case Icon::kFilm:  // a camera from the side
             pen.box(-0.9f, -0.5f, 0.35f, 0.6f);
             return pen.triangle({0.45f, 0.05f}, {0.95f, -0.45f}, {0.95f, 0.55f});
+        case Icon::kMeasure:  // axes with a curve
+            pen.path({{-0.85f, -0.85f}, {-0.85f, 0.8f}, {0.9f, 0.8f}});
+            return pen.path({{-0.5f, 0.4f}, {-0.15f, -0.15f}, {0.2f, 0.15f}, {0.8f, -0.65f}});
         case Icon::kHelp:
             return pen.text("?");
         case Icon::kLeft:

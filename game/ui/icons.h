@@ -24,6 +24,7 @@ enum class Icon {
     kDisplay,
     kPerformance,
     kFilm,
+    kMeasure,
     kHelp,
     kClose,
     kLeft,

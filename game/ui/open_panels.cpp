@@ -11,7 +11,8 @@ constexpr float kColumn = 24, kReadingsHeight = 11.6f, kHelp = 78,
                 kBesides = 20;  // em: sizes, and the gap between two columns
 
 bool in_left_column(Panel panel) {
-    return panel == Panel::kScene || panel == Panel::kDisplay || panel == Panel::kFilm;
+    return panel == Panel::kScene || panel == Panel::kDisplay || panel == Panel::kFilm ||
+           panel == Panel::kMeasure;
 }
 
 void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
@@ -26,6 +27,8 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
             return performance_panel(desk, facts);
         case Panel::kFilm:
             return film_panel(desk, facts, actions);
+        case Panel::kMeasure:
+            return measure_panel(desk, facts, actions);
         case Panel::kHelp:
             return help_panel(desk, facts.keys);
     }

@@ -14,8 +14,8 @@
 namespace game::ui {
 
 // The panels that can be opened and closed.
-enum class Panel { kScene, kPhysics, kDisplay, kPerformance, kFilm, kHelp };
-inline constexpr std::size_t kPanels = 6;
+enum class Panel { kScene, kPhysics, kDisplay, kPerformance, kFilm, kMeasure, kHelp };
+inline constexpr std::size_t kPanels = 7;
 
 struct PanelInfo {
     Panel panel;
@@ -31,6 +31,8 @@ inline constexpr PanelInfo kPanelInfos[kPanels] = {
     {Panel::kPerformance, Verb::kTogglePerformance, "Performance", Icon::kPerformance,
      "Time per stage of a frame."},
     {Panel::kFilm, Verb::kToggleFilm, "Film", Icon::kFilm, "Makes a film of the slide, with its sound."},
+    {Panel::kMeasure, Verb::kToggleMeasure, "Measure", Icon::kMeasure,
+     "A cross-section along a line, and plots over time."},
     {Panel::kHelp, Verb::kToggleHelp, "Help", Icon::kHelp, "All keys and mouse gestures."},
 };
 
@@ -96,6 +98,7 @@ void bare_ground(Desk& desk, const Facts& facts, Actions& actions);  // instead 
 void stroke_note(Desk& desk, const Facts& facts);
 void dam(Desk& desk, const Facts& facts);
 void run_ends(Desk& desk, const Facts& facts);
+void section_line(Desk& desk, const Facts& facts);  // on the terrain
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
 void pad_wheel(Desk& desk, const Facts& facts);  // of a gamepad, while one of its buttons opens it
@@ -110,6 +113,7 @@ void physics_panel(Desk& desk, const Facts& facts, Actions& actions);
 void display_panel(Desk& desk, const Facts& facts, Actions& actions);
 void performance_panel(Desk& desk, const Facts& facts);
 void film_panel(Desk& desk, const Facts& facts, Actions& actions);
+void measure_panel(Desk& desk, const Facts& facts, Actions& actions);
 void help_panel(Desk& desk, const Keys& keys);
 void open_panels(Desk& desk, const Facts& facts, Actions& actions);
 

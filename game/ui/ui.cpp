@@ -165,6 +165,11 @@ bool Ui::shows_menu() const {
     return parts_->desk.menu.open;
 }
 
+bool Ui::shows_measures() const {
+    const Desk& desk = parts_->desk;
+    return desk.panels.is_open(Panel::kMeasure) && !desk.panels.hidden() && !desk.menu.open;
+}
+
 bool Ui::perform(Verb verb) {
     OpenPanels& panels = parts_->desk.panels;
     if (verb == Verb::kTogglePanels) {
@@ -221,6 +226,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         dam(desk, facts);
         challenge(desk, facts, actions);
         run_ends(desk, facts);
+        section_line(desk, facts);
         stroke_note(desk, facts);
         readings(desk, facts);
         open_panels(desk, facts, actions);

@@ -36,6 +36,7 @@ class Ui {
     void begin_menu();  // as the first thing that is seen
     void close_menu();
     bool shows_menu() const;
+    bool shows_measures() const;  // the panel of the cross-section
 
     // Starts to read the pictures of these scenes for the list of scenes.
     void read_pictures(const std::vector<Catalogue::Entry>& scenes);

@@ -229,8 +229,8 @@ TEST_F(Playing, allocates_nothing_in_a_frame_once_it_has_played_for_a_while) {
     screen_.resize_to(1280, 720);  // room for more than one panel
     begin();
     const KeyMap map;
-    for (const Verb verb :
-         {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance})
+    for (const Verb verb : {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay,
+                            Verb::kTogglePerformance, Verb::kToggleMeasure})
         for (const KeyBinding& binding : map.presses())
             if (binding.does == std::variant<Verb, Tool>(verb)) tap(binding.key, binding.with);
     screen_.move(640, 330);
@@ -1772,6 +1772,34 @@ TEST_F(Playing, stands_still_behind_the_menu_which_takes_every_click_and_key) {
     EXPECT_FALSE(app_->panels().shows_menu());
     frames(5);
     EXPECT_GT(line().tick, before.tick);
+    expect_recording_replays();
+}
+
+TEST_F(Playing, draws_the_line_of_a_cross_section_without_a_stroke) {
+    screen_.resize_to(1280, 720);
+    begin();
+    tap(function_key(7));
+    frames(3);
+    click("Draw a line");
+    screen_.move(700, 300);
+    frames(1);
+    screen_.press(Button::kLeft);
+    for (int i = 0; i < 10; ++i) {
+        screen_.move(700, 300 + 10 * i);
+        frames(1);
+    }
+    screen_.release(Button::kLeft);
+    frames(3);
+    EXPECT_TRUE(shows("Cross-section"));
+    EXPECT_EQ(mass().poured, 0);
+    EXPECT_EQ(app_->sandbox().actions(), 0u);
+    EXPECT_FALSE(app_->sandbox().was_touched());
+    screen_.press(Button::kLeft);  // the next press is a stroke again
+    frames(10);
+    screen_.release(Button::kLeft);
+    frames(1);
+    EXPECT_GT(mass().poured, 0);
+    EXPECT_EQ(app_->sandbox().actions(), 1u);
     expect_recording_replays();
 }
 

@@ -37,6 +37,7 @@ ui::Facts UiHand::facts() const {
             .touched = touched_,
             .goal_use = goal_use_,
             .card = card_ ? &*card_ : nullptr,
+            .section = section_,
             .best_runs = best_runs_,
             .actions_to_undo = actions_to_undo_,
             .actions_to_redo = actions_to_redo_,

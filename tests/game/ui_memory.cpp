@@ -48,8 +48,11 @@ class UiMemory : public UiHand {
 
 TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     for (const Verb verb : {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay,
-                            Verb::kTogglePerformance, Verb::kToggleHelp})
+                            Verb::kTogglePerformance, Verb::kToggleMeasure, Verb::kToggleHelp})
         ui_->perform(verb);
+    CrossSection section;
+    section.lay({{10, 10}, {10, 90}}, 0);
+    section_.emplace(ui::SectionNote{.section = section});
     under_cursor_.emplace();
     std::snprintf(under_cursor_->where.data(), under_cursor_->where.size(),
                   "47.3° N 11.4° E, UTM 32T 683912 5240010");
@@ -65,7 +68,8 @@ TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     actions.reserve(64);
     std::int64_t most = 0;
     for (int i = 0; i < 240; ++i) {
-        state_.tick = 1000 + 977 * i;               // texts change
+        state_.tick = 1000 + 977 * i;  // texts change
+        section.see(sim::view(state_), {});
         screen_.move(10 + 7.0 * i, 200 + 3.0 * i);  // over panels and beside
         if (i % 8 == 0) screen_.happen({WheelEvent{i % 16 ? 1.0 : -1.0, {}}});
         const std::int64_t asked = asked_in_a_frame(facts, actions);

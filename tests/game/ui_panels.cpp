@@ -20,6 +20,7 @@ const std::vector<PanelFacts> kPanels{
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
     {Verb::kToggleFilm, "Film", {"Close Film", "Film camera", "Film size", "With sound", "Film it"}},
+    {Verb::kToggleMeasure, "Measure", {"Close Measure", "Draw a line"}},
     {Verb::kToggleHelp, "Help", {"Close Help", "step one tick"}},
 };
 
@@ -65,6 +66,27 @@ TEST_F(UiPanels, open_by_their_buttons_and_close_by_their_crosses_without_asking
         EXPECT_TRUE(click(panel.widgets[0]).empty());
         EXPECT_FALSE(ui_->find(panel.widgets[0])) << panel.button;
     }
+}
+
+TEST_F(UiPanels, ask_for_the_line_of_a_cross_section_and_show_it) {
+    CrossSection section;
+    section_.emplace(ui::SectionNote{.section = section});
+    ui_->perform(Verb::kToggleMeasure);
+    settle();
+    EXPECT_FALSE(ui_->find("Cross-section"));
+    EXPECT_TRUE(only<DrawSection>(click("Draw a line")).waits);
+    section_->waits = true;
+    settle();
+    EXPECT_FALSE(only<DrawSection>(click("Draw no line")).waits);
+    section_->waits = false;
+    section.lay({{10, 10}, {10, 90}}, 0);
+    section.see(sim::view(state_), {});
+    settle();
+    for (const char* label : {"Cross-section", "Speed along the line", "Of the line", "Scale of the layers"})
+        EXPECT_TRUE(ui_->find(label)) << label;
+    point_at("Cross-section");
+    settle();
+    EXPECT_TRUE(ui_->find("Of the line"));
 }
 
 TEST_F(UiPanels, take_only_the_verbs_that_are_theirs) {
