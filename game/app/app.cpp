@@ -396,6 +396,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         }
         if (!open_.skips) sounds_.see(sandbox_->session(), sandbox_->last_commands());
         open_.marks.see(sandbox_->session(), sandbox_->last_commands());
+        open_.measuring.see_tick(sandbox_->session(), sandbox_->known_until());
         judge_attempt();
         const double now = screen_.seconds() - begun;
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
@@ -481,7 +482,11 @@ void App::play_sound(int ticks) {
 void App::seek(std::int64_t tick, double begun_s) {
     hand_.drop();
     const std::int64_t before = sandbox_->session().state().tick;
-    const auto there = sandbox_->go_toward(tick, [&] { return screen_.seconds() - begun_s < kTickBudget; });
+    const auto may_go_on = [&] {
+        open_.measuring.see_tick(sandbox_->session(), sandbox_->known_until());
+        return screen_.seconds() - begun_s < kTickBudget;
+    };
+    const auto there = sandbox_->go_toward(tick, may_go_on);
     if (!there) warn(there.error().sentence);
     if (sandbox_->session().state().tick != before) time_.jump();
     if (there && !*there && sandbox_->can_go_back()) return;  // continues in the next frame
@@ -659,7 +664,7 @@ void App::trace_runs() {
 void App::measure() {
     if (!ui_.shows_measures()) return open_.measuring.wait_for_line(false);
     const Session& session = sandbox_->session();
-    open_.measuring.see(session.view(), session.peaks());
+    open_.measuring.see(session, sandbox_->known_until());
     const ScreenSize size = screen_.size();
     open_.measuring.trace({camera(), size.width, size.height, static_cast<std::int64_t>(session.seconds())},
                           [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, session.view()); });
@@ -703,6 +708,8 @@ void App::draw_panels() {
             .ghost = open_.ghost_note,
             .runs = runs_ ? std::optional(runs_->note(ground)) : std::nullopt,
             .section = ui_.shows_measures() ? std::optional(open_.measuring.note()) : std::nullopt,
+            .history = ui_.shows_measures() ? &open_.measuring.history() : nullptr,
+            .houses = ui_.shows_measures() ? open_.measuring.houses() : std::span<const ui::HouseMark>(),
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),

@@ -7,15 +7,17 @@
 
 #include <glm/vec2.hpp>
 
+#include "game/analysis/slide_history.h"
 #include "game/controls/cross_section.h"
+#include "game/session/session.h"
 #include "game/ui/facts.h"
 #include "render/view/camera.h"
 #include "sim/world/state.h"
 
 namespace game {
 
-// What is measured of one open world: a cross-section along a line that the user draws on the ground. A view, which
-// never affects the world.
+// What is measured of one open world: a cross-section along a line that the user draws on the ground, and what moves over
+// time. A view, which never affects the world.
 class Measuring {
   public:
     // The next press on the terrain begins a line; or no longer.
@@ -27,9 +29,13 @@ class Measuring {
     void move_to(glm::dvec2 at, double cell, double zero);
     void release();
 
-    // Reads the world along the line.
-    void see(const sim::View& world, const Peaks& peaks) { section_.see(world, peaks); }
+    // Call in each frame in which this is shown: reads the world along the line, and begins the history.
+    void see(const Session& session, std::int64_t known_until);
+    // Call after each tick: goes on with the history, once it has begun.
+    void see_tick(const Session& session, std::int64_t known_until);
     const CrossSection& section() const { return section_; }
+    const SlideHistory& history() const { return history_; }
+    const std::vector<ui::HouseMark>& houses() const { return houses_; }
 
     // What the line on the screen depends on, beside the line.
     struct View {
@@ -44,12 +50,17 @@ class Measuring {
     ui::SectionNote note() const { return {section_, takes_press(), pieces_, from_px_, to_px_}; }
 
   private:
+    void trace_line(const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen);
+    void trace_houses(const std::function<std::optional<glm::dvec2>(glm::dvec2)>& seen);
+
     bool waits_ = false;
     std::optional<glm::dvec2> from_;  // m, of the line that is being drawn
     CrossSection section_;
+    SlideHistory history_;
     std::optional<View> view_;
     std::optional<SectionLine> traced_;
     std::vector<ui::GoalLine> pieces_;
+    std::vector<ui::HouseMark> houses_;
     std::optional<glm::dvec2> from_px_, to_px_;
 };
 

@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "game/analysis/best_runs.h"
+#include "game/analysis/slide_history.h"
 #include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
@@ -138,6 +139,12 @@ struct SectionNote {
     std::optional<glm::dvec2> from = {}, to = {};  // its ends, px from the top left; nothing if hidden
 };
 
+// Where the number of a house of the history stands.
+struct HouseMark {
+    std::size_t house = 0;  // in SlideHistory::houses()
+    glm::dvec2 at{0};       // px from the top left
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -157,7 +164,9 @@ struct Facts {
     const ResultCard* card = nullptr;  // none: no try and no slide has ended, or the card was closed
     std::optional<GhostNote> ghost = {};
     std::optional<RunsNote> runs = {};
-    std::optional<SectionNote> section = {};
+    std::optional<SectionNote> section = {};  // none: its panel is closed
+    const SlideHistory* history = nullptr;    // the same
+    std::span<const HouseMark> houses = {};   // the same
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;

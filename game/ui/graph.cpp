@@ -8,10 +8,11 @@
 namespace game::ui {
 namespace {
 
-constexpr float kLeft = 3.6f, kRight = 0.5f, kBelow = 1.15f, kAbove = 0.35f;  // em, beside the plot
+constexpr float kLeft = 3.6f, kRight = 0.5f, kBelow = 1.15f, kClear = 0.5f,
+                kAbove = 0.35f;  // em, beside the plot
 constexpr ImU32 kGraphPlate = IM_COL32(0, 0, 0, 80);
-constexpr int kMostAcross = 5, kMostUp = 5;  // parts of an axis
-constexpr float kPartUp = 1.6f;              // em, the least
+constexpr int kMostAcross = 5, kMostUp = 5, kPartsFromZero = 2;  // parts of an axis
+constexpr float kPartUp = 1.6f;                                  // em, the least
 
 // "1 800 m" at the last number of an axis, else "1 200".
 const char* number_at(std::span<char> text, double value, double step, const char* unit) {
@@ -32,11 +33,12 @@ double round_step(double length, int most) {
 }
 
 Range from_zero_to(double value, double least) {
-    const double top = std::max(value, least), step = round_step(top, kMostUp);
+    const double top = std::max(value, least), step = round_step(top, kPartsFromZero);
     return {0, step * std::ceil(top / step - 1e-9)};
 }
 
-Graph::Graph(Desk& desk, const char* label, float height, const Axis& across, const Axis& up)
+Graph::Graph(Desk& desk, const char* label, float height, const Axis& across, const Axis& up,
+             const char* tooltip)
     : across_(across.range), up_(up.range), list_(ImGui::GetWindowDrawList()) {
     const float em = desk.em();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -48,6 +50,7 @@ Graph::Graph(Desk& desk, const char* label, float height, const Axis& across, co
     ImGui::InvisibleButton("##graph", {to_.x - from_.x, to_.y - from_.y});
     ImGui::PopID();
     desk.widgets.note(label);
+    desk.widgets.tooltip(tooltip);
     hovered_ = ImGui::IsItemHovered();
     held_ = ImGui::IsItemActive();
     ImGui::SetCursorScreenPos(corner);
@@ -94,11 +97,13 @@ void Graph::axes(Desk& desk, const Axis& across, const Axis& up) const {
     const auto width_of = [&](const char* text) { return letters->CalcTextSizeA(high, FLT_MAX, 0, text).x; };
     std::array<char, 32> text;
     const int parts = std::clamp(static_cast<int>((to_.y - from_.y) / (kPartUp * em)), 1, kMostUp);
-    const double rise = round_step(up.range.length(), parts), top = std::floor(up.range.most / rise + 1e-9);
+    const double rise = parts == 1 ? up.range.length() : round_step(up.range.length(), parts),
+                 top = std::floor(up.range.most / rise + 1e-9);
     for (double i = std::ceil(up.range.least / rise - 1e-9); i <= top; ++i) {
         list_->AddLine({from_.x, y(i * rise)}, {to_.x, y(i * rise)}, kLine);
         if (!up.is_told) continue;
-        const char* const number = number_at(text, i * rise, rise, i == top ? up.unit : "");
+        const char* number = number_at(text, i * rise, rise, i == top ? up.unit : "");
+        if (width_of(number) > (kLeft - kClear) * em) number = number_at(text, i * rise, rise, "");
         list_->AddText(letters, high, {from_.x - 0.3f * em - width_of(number), y(i * rise) - high / 2},
                        kDimText, number);
     }

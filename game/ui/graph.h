@@ -6,6 +6,10 @@
 
 namespace game::ui {
 
+// The colours of what is measured.
+inline constexpr ImU32 kBedrockColour = IM_COL32(86, 92, 100, 255),
+                       kStandingColour = IM_COL32(222, 231, 240, 255), kFlowColour = kAccent;
+
 // The values from least to most along an axis.
 struct Range {
     double least = 0, most = 1;
@@ -26,11 +30,14 @@ class Graph {
         bool is_told = true;  // with numbers
     };
     // `label`: as of a widget. `height`: em, of the plot itself.
-    Graph(Desk& desk, const char* label, float height, const Axis& across, const Axis& up);
+    Graph(Desk& desk, const char* label, float height, const Axis& across, const Axis& up,
+          const char* tooltip = nullptr);
 
     float x(double value) const;
     float y(double value) const;
     float top() const { return from_.y; }
+    float left() const { return from_.x; }
+    float right() const { return to_.x; }
     // The cursor, along the horizontal axis; nothing if it is elsewhere.
     std::optional<double> pointed() const;
     bool held() const { return held_; }

@@ -10,7 +10,6 @@
 namespace game::ui {
 namespace {
 
-constexpr ImU32 kBedrockColour = IM_COL32(86, 92, 100, 255), kStandingColour = IM_COL32(222, 231, 240, 255);
 constexpr float kProfileHeight = 9, kSpeedHeight = 4.5f;  // em
 constexpr double kLayerShare = 0.2;  // of the relief, that the deepest layers are drawn as
 constexpr double kLeastSpeed = 5;    // m/s, at the top of its axis
@@ -70,7 +69,7 @@ void draw_profile(Desk& desk, const CrossSection& section, const Profile& profil
         graph.fill(x0, x1, {profile.heights.least, a.ground}, {profile.heights.least, b.ground},
                    kBedrockColour);
         graph.fill(x0, x1, {a.ground, standing(a)}, {b.ground, standing(b)}, kStandingColour);
-        graph.fill(x0, x1, {standing(a), rolling(a)}, {standing(b), rolling(b)}, kAccent);
+        graph.fill(x0, x1, {standing(a), rolling(a)}, {standing(b), rolling(b)}, kFlowColour);
         graph.line(x0, rolling(a), x1, rolling(b), kText, 0.06f * desk.em());
     });
 }
@@ -78,9 +77,9 @@ void draw_profile(Desk& desk, const CrossSection& section, const Profile& profil
 void draw_speed(Desk& desk, const CrossSection& section, const Profile& profile, const Graph& graph) {
     each_piece(section, [&](std::size_t i, const SectionPoint& a, const SectionPoint& b) {
         const double x0 = along(profile, i), x1 = along(profile, i + 1);
-        graph.fill(x0, x1, {0, a.speed}, {0, b.speed}, faded(kAccent, 0.35f));
+        graph.fill(x0, x1, {0, a.speed}, {0, b.speed}, faded(kFlowColour, 0.35f));
         graph.line(x0, a.peak_speed, x1, b.peak_speed, kDimText, 0.06f * desk.em());
-        if (a.speed > 0 || b.speed > 0) graph.line(x0, a.speed, x1, b.speed, kAccent, 0.11f * desk.em());
+        if (a.speed > 0 || b.speed > 0) graph.line(x0, a.speed, x1, b.speed, kFlowColour, 0.11f * desk.em());
     });
 }
 
@@ -122,8 +121,8 @@ void cross_section(Desk& desk, const CrossSection& section) {
     ImGui::SameLine(0, desk.em());
     swatch(desk, kStandingColour, "standing layer");
     ImGui::SameLine(0, desk.em());
-    swatch(desk, kAccent, "rolling layer");
-    const Graph ground(desk, "Cross-section", kProfileHeight, {across, "m", false}, {profile.heights, "m"});
+    swatch(desk, kFlowColour, "rolling layer");
+    const Graph ground(desk, "Profile", kProfileHeight, {across, "m", false}, {profile.heights, "m"});
     draw_profile(desk, section, profile, ground);
     name_ends(desk, ground, across);
     double fastest = 0;
@@ -140,6 +139,26 @@ void cross_section(Desk& desk, const CrossSection& section) {
     desk.widgets.note("Scale of the layers");
 }
 
+void along_a_line(Desk& desk, const Facts& facts, Actions& actions) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool waits = facts.section && facts.section->waits,
+               has_line = facts.section && facts.section->section.line();
+    if (desk.widgets.button(waits ? "Draw no line" : "Draw a line",
+                            waits ? "The left button is for the tool again."
+                                  : "The next drag with the left button on the mountain is the line of the "
+                                    "cross-section.",
+                            waits, width))
+        actions.emplace_back(DrawSection{!waits});
+    if (waits)
+        desk.widgets.plain("Now drag on the mountain with the left button, from A to B.");
+    else if (!has_line)
+        desk.widgets.dim(
+            "Draw a line on the mountain, such as down the path of a slide. The cross-section shows the "
+            "ground "
+            "along it, the layers on it and the speed of the flow.");
+    if (has_line) cross_section(desk, facts.section->section);
+}
+
 void end_mark(Desk& desk, const std::optional<glm::dvec2>& at, const char* name, ImDrawList& list) {
     if (!at) return;
     const float em = desk.em();
@@ -150,25 +169,35 @@ void end_mark(Desk& desk, const std::optional<glm::dvec2>& at, const char* name,
     list.AddText({middle.x - size.x / 2, middle.y - size.y / 2}, kText, name);
 }
 
+// Its number, as in the list.
+void house_mark(Desk& desk, const HouseMark& house, ImDrawList& list) {
+    const bool is_told = house.house == desk.told_house;
+    std::array<char, 24> number;
+    std::snprintf(number.data(), number.size(), "%zu", house.house + 1);
+    const ImVec2 size = ImGui::CalcTextSize(number.data());
+    const float edge = 0.25f * desk.em();
+    const ImVec2 from{static_cast<float>(house.at.x) - size.x / 2,
+                      static_cast<float>(house.at.y) - size.y - 2 * edge};
+    list.AddRectFilled({from.x - edge, from.y - edge / 2},
+                       {from.x + size.x + edge, from.y + size.y + edge / 2}, is_told ? kAccent : kPanel,
+                       edge);
+    list.AddText(from, is_told ? kAccentText : kText, number.data());
+}
+
 }  // namespace
 
 void measure_panel(Desk& desk, const Facts& facts, Actions& actions) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    const bool waits = facts.section && facts.section->waits;
-    if (desk.widgets.button(waits ? "Draw no line" : "Draw a line",
-                            waits ? "The left button is for the tool again."
-                                  : "The next drag with the left button on the mountain is the line of the "
-                                    "cross-section.",
-                            waits || !(facts.section && facts.section->section.line()), width))
-        actions.emplace_back(DrawSection{!waits});
-    if (waits)
-        desk.widgets.plain("Now drag on the mountain with the left button, from A to B.");
-    else if (!facts.section || !facts.section->section.line())
-        desk.widgets.dim(
-            "Draw a line on the mountain, such as down the path of a slide. The cross-section shows the "
-            "ground "
-            "along it, the layers on it and the speed of the flow.");
-    if (facts.section && facts.section->section.line()) cross_section(desk, facts.section->section);
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (desk.widgets.button("Along a line", "A cross-section along a line that you draw.",
+                            !desk.measures_over_time, half))
+        desk.measures_over_time = false;
+    ImGui::SameLine();
+    if (desk.widgets.button("Over time", "Run-out, volume, speed and pressure since the beginning.",
+                            desk.measures_over_time, half)) {
+        desk.measures_over_time = true;
+        if (facts.section && facts.section->waits) actions.emplace_back(DrawSection{false});
+    }
+    desk.measures_over_time ? plots_over_time(desk, facts, actions) : along_a_line(desk, facts, actions);
 }
 
 void section_line(Desk& desk, const Facts& facts) {
@@ -182,6 +211,8 @@ void section_line(Desk& desk, const Facts& facts) {
         list.AddLine(px(piece.from), px(piece.to), kText, thin);
     end_mark(desk, facts.section->from, "A", list);
     end_mark(desk, facts.section->to, "B", list);
+    if (!desk.measures_over_time) return;
+    for (const HouseMark& house : facts.houses) house_mark(desk, house, list);
 }
 
 }  // namespace game::ui

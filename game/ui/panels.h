@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "game/controls/action.h"
 #include "game/ui/card_map.h"
@@ -73,9 +74,14 @@ struct Desk {
     FilmWish film;
     KeyChoice key_choice;
     SceneChoice choice;
-    std::array<char, 192> refusal{};  // why a number was rejected
-    ImVec2 size{1280, 720};           // of the screen, px
-    double usual_em = 16;             // px, at a text size of 100 %
+    bool measures_over_time = false;  // else along a line
+    std::optional<std::size_t> house =
+        {};  // whose pressure is plotted; nothing: the one with the largest pressure
+    std::optional<std::size_t> told_house = {};  // the same, as last shown
+    std::optional<double> pointed_s = {};        // time under the cursor in a plot, in the last frame
+    std::array<char, 192> refusal{};             // why a number was rejected
+    ImVec2 size{1280, 720};                      // of the screen, px
+    double usual_em = 16;                        // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
     float card_without_map = 0;  // height of the result card, as if it had no map
@@ -114,6 +120,7 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions);
 void performance_panel(Desk& desk, const Facts& facts);
 void film_panel(Desk& desk, const Facts& facts, Actions& actions);
 void measure_panel(Desk& desk, const Facts& facts, Actions& actions);
+void plots_over_time(Desk& desk, const Facts& facts, Actions& actions);  // in the measure panel
 void help_panel(Desk& desk, const Keys& keys);
 void open_panels(Desk& desk, const Facts& facts, Actions& actions);
 

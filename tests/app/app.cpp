@@ -1790,7 +1790,7 @@ TEST_F(Playing, draws_the_line_of_a_cross_section_without_a_stroke) {
     }
     screen_.release(Button::kLeft);
     frames(3);
-    EXPECT_TRUE(shows("Cross-section"));
+    EXPECT_TRUE(shows("Profile"));
     EXPECT_EQ(mass().poured, 0);
     EXPECT_EQ(app_->sandbox().actions(), 0u);
     EXPECT_FALSE(app_->sandbox().was_touched());

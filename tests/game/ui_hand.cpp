@@ -38,6 +38,7 @@ ui::Facts UiHand::facts() const {
             .goal_use = goal_use_,
             .card = card_ ? &*card_ : nullptr,
             .section = section_,
+            .history = history_,
             .best_runs = best_runs_,
             .actions_to_undo = actions_to_undo_,
             .actions_to_redo = actions_to_redo_,

@@ -53,6 +53,8 @@ TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     CrossSection section;
     section.lay({{10, 10}, {10, 90}}, 0);
     section_.emplace(ui::SectionNote{.section = section});
+    SlideHistory history;
+    history_ = &history;
     under_cursor_.emplace();
     std::snprintf(under_cursor_->where.data(), under_cursor_->where.size(),
                   "47.3° N 11.4° E, UTM 32T 683912 5240010");
@@ -70,6 +72,7 @@ TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     for (int i = 0; i < 240; ++i) {
         state_.tick = 1000 + 977 * i;  // texts change
         section.see(sim::view(state_), {});
+        history.see(sim::view(state_), {}, {}, 1, state_.tick);
         screen_.move(10 + 7.0 * i, 200 + 3.0 * i);  // over panels and beside
         if (i % 8 == 0) screen_.happen({WheelEvent{i % 16 ? 1.0 : -1.0, {}}});
         const std::int64_t asked = asked_in_a_frame(facts, actions);

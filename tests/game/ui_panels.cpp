@@ -20,7 +20,7 @@ const std::vector<PanelFacts> kPanels{
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
     {Verb::kToggleFilm, "Film", {"Close Film", "Film camera", "Film size", "With sound", "Film it"}},
-    {Verb::kToggleMeasure, "Measure", {"Close Measure", "Draw a line"}},
+    {Verb::kToggleMeasure, "Measure", {"Close Measure", "Along a line", "Over time", "Draw a line"}},
     {Verb::kToggleHelp, "Help", {"Close Help", "step one tick"}},
 };
 
@@ -73,7 +73,7 @@ TEST_F(UiPanels, ask_for_the_line_of_a_cross_section_and_show_it) {
     section_.emplace(ui::SectionNote{.section = section});
     ui_->perform(Verb::kToggleMeasure);
     settle();
-    EXPECT_FALSE(ui_->find("Cross-section"));
+    EXPECT_FALSE(ui_->find("Profile"));
     EXPECT_TRUE(only<DrawSection>(click("Draw a line")).waits);
     section_->waits = true;
     settle();
@@ -82,11 +82,32 @@ TEST_F(UiPanels, ask_for_the_line_of_a_cross_section_and_show_it) {
     section.lay({{10, 10}, {10, 90}}, 0);
     section.see(sim::view(state_), {});
     settle();
-    for (const char* label : {"Cross-section", "Speed along the line", "Of the line", "Scale of the layers"})
+    for (const char* label : {"Profile", "Speed along the line", "Of the line", "Scale of the layers"})
         EXPECT_TRUE(ui_->find(label)) << label;
-    point_at("Cross-section");
+    point_at("Profile");
     settle();
     EXPECT_TRUE(ui_->find("Of the line"));
+}
+
+TEST_F(UiPanels, show_plots_over_time_in_which_a_click_is_a_time) {
+    state_.rolling(10, 5) = 1, state_.velocity_y(10, 5) = 10;
+    SlideHistory history;
+    Peaks peaks;
+    const auto tick_s = static_cast<double>(state_.params.tick_s);
+    for (state_.tick = 0; state_.tick < 1200; ++state_.tick)
+        history.see(sim::view(state_), peaks, {}, tick_s, state_.tick);
+    timeline_.known_until = state_.tick;
+    history_ = &history;
+    ui_->perform(Verb::kToggleMeasure);
+    settle();
+    EXPECT_TRUE(click("Over time").empty());
+    settle();
+    for (const char* label : {"Run-out so far", "Moving volume", "Largest speed", "Since"})
+        EXPECT_TRUE(ui_->find(label)) << label;
+    EXPECT_FALSE(ui_->find("Which house"));
+    const Actions asked = click("Moving volume");
+    ASSERT_FALSE(asked.empty());
+    EXPECT_NEAR(static_cast<double>(std::get<SeekTick>(asked.front()).tick), 600, 12);
 }
 
 TEST_F(UiPanels, take_only_the_verbs_that_are_theirs) {
