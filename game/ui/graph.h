@@ -36,6 +36,7 @@ class Graph {
     float x(double value) const;
     float y(double value) const;
     float top() const { return from_.y; }
+    float bottom() const { return to_.y; }
     float left() const { return from_.x; }
     float right() const { return to_.x; }
     // The cursor, along the horizontal axis; nothing if it is elsewhere.

@@ -10,17 +10,16 @@
 namespace game::ui {
 namespace {
 
-constexpr float kProfileHeight = 9, kSpeedHeight = 4.5f;  // em
-constexpr double kLayerShare = 0.2;  // of the relief, that the deepest layers are drawn as
-constexpr double kLeastSpeed = 5;    // m/s, at the top of its axis
+constexpr float kProfileHeight = 8, kSpeedHeight = 4;  // em
+constexpr double kLayerShare = 0.2;                    // of the relief, that the deepest layers are drawn as
+constexpr double kLeastSpeed = 5;                      // m/s, at the top of its axis
 
-// The letters of the ends, as they are on the mountain.
-void name_ends(Desk& desk, const Graph& graph, const Range& across) {
+// The letters of the ends, as they are on the mountain; at the bottom, where the ground is behind them.
+void name_ends(Desk& desk, const Graph& graph) {
     ImFont* const letters = desk.widgets.letters.small;
-    const float edge = 0.3f * desk.em(), right = graph.x(across.most) - edge - letters->FontSize * 0.6f;
-    graph.list().AddText(letters, letters->FontSize, {graph.x(across.least) + edge, graph.top() + edge},
-                         kText, "A");
-    graph.list().AddText(letters, letters->FontSize, {right, graph.top() + edge}, kText, "B");
+    const float edge = 0.3f * desk.em(), high = letters->FontSize, y = graph.bottom() - edge - high;
+    graph.list().AddText(letters, high, {graph.left() + edge, y}, kText, "A");
+    graph.list().AddText(letters, high, {graph.right() - edge - 0.6f * high, y}, kText, "B");
 }
 
 // How the section is drawn.
@@ -36,7 +35,8 @@ double along(const Profile& profile, std::size_t i) {
 
 Profile profile_of(const CrossSection& section) {
     constexpr std::array kTimes{100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0};
-    constexpr double kLeastRelief = 0.05;  // of the length
+    constexpr double kLeastRelief = 0.05;                       // of the length
+    constexpr double kBelowGround = 0.14, kAboveGround = 0.08;  // of the relief
     Profile profile{section.line()->length(), {1e9, -1e9}, 1};
     for (const SectionPoint& point : section.points()) {
         if (!point.has_data) continue;
@@ -48,8 +48,8 @@ Profile profile_of(const CrossSection& section) {
     const auto fits = [&](double times) { return times * section.deepest() <= kLayerShare * relief; };
     const auto times = std::ranges::find_if(kTimes, fits);
     profile.times = times == kTimes.end() ? kTimes.back() : *times;
-    profile.heights.least -= 0.08 * relief;
-    profile.heights.most += std::max(profile.times * section.deepest(), 0.08 * relief);
+    profile.heights.least -= kBelowGround * relief;
+    profile.heights.most += std::max(profile.times * section.deepest(), kAboveGround * relief);
     return profile;
 }
 
@@ -124,7 +124,7 @@ void cross_section(Desk& desk, const CrossSection& section) {
     swatch(desk, kFlowColour, "rolling layer");
     const Graph ground(desk, "Profile", kProfileHeight, {across, "m", false}, {profile.heights, "m"});
     draw_profile(desk, section, profile, ground);
-    name_ends(desk, ground, across);
+    name_ends(desk, ground);
     double fastest = 0;
     for (const SectionPoint& point : section.points())
         fastest = std::max({fastest, point.speed, point.peak_speed});
@@ -147,7 +147,7 @@ void along_a_line(Desk& desk, const Facts& facts, Actions& actions) {
                             waits ? "The left button is for the tool again."
                                   : "The next drag with the left button on the mountain is the line of the "
                                     "cross-section.",
-                            waits, width))
+                            waits || !has_line, width))
         actions.emplace_back(DrawSection{!waits});
     if (waits)
         desk.widgets.plain("Now drag on the mountain with the left button, from A to B.");

@@ -11,7 +11,7 @@ namespace {
 using Sample = SlideHistory::Sample;
 
 constexpr float kPlotHeight = 2.8f;  // em
-constexpr double kHeadroom = 1.4;    // of an axis over the largest value, for the words there
+constexpr double kHeadroom = 1.6;    // of an axis over the largest value, for the words there
 constexpr double kLeastTime = 10;    // s, along the axis
 constexpr double kLeastRunOut = 50, kLeastVolume = 100, kLeastSpeedInTime = 5,
                  kLeastPressure = 5;  // at the tops of the axes: m, m³, m/s, kPa

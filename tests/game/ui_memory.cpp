@@ -82,5 +82,29 @@ TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     EXPECT_TRUE(actions.empty());
 }
 
+TEST_F(UiMemory, asks_for_none_in_a_frame_with_plots_over_time) {
+    SlideHistory history;
+    state_.rolling(10, 5) = 1, state_.velocity_y(10, 5) = 10;
+    history_ = &history;
+    ui_->perform(Verb::kToggleMeasure);
+    settle();
+    EXPECT_TRUE(click("Over time").empty());
+    timeline_.known_until = 60 * 200;
+    for (state_.tick = 0; state_.tick < timeline_.known_until; ++state_.tick)
+        history.see(sim::view(state_), {}, {}, 1.0 / 60, state_.tick);
+    settle(30);
+    const ui::Facts facts = this->facts();
+    Actions actions;
+    actions.reserve(64);
+    std::int64_t most = 0;
+    for (int i = 0; i < 60; ++i) {
+        ++state_.tick;
+        screen_.move(10 + 7.0 * i, 200 + 3.0 * i);
+        const std::int64_t asked = asked_in_a_frame(facts, actions);
+        if (i >= 30) most = std::max(most, asked);
+    }
+    EXPECT_EQ(most, 0);
+}
+
 }  // namespace
 }  // namespace game::test
