@@ -11,7 +11,7 @@ namespace {
 constexpr float kLeft = 3.6f, kRight = 0.5f, kBelow = 1.15f, kClear = 0.5f,
                 kAbove = 0.35f;  // em, beside the plot
 constexpr ImU32 kGraphPlate = IM_COL32(0, 0, 0, 80);
-constexpr int kMostAcross = 5, kMostUp = 5, kPartsFromZero = 2;  // parts of an axis
+constexpr int kMostAcross = 5, kMostUp = 5, kPartsFromZero = 4;  // parts of an axis
 constexpr float kPartUp = 1.6f;                                  // em, the least
 
 // "1 800 m" at the last number of an axis, else "1 200".
