@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <utility>
 
 namespace game::ui {
 namespace {
@@ -21,6 +23,13 @@ const char* number_at(std::span<char> text, double value, double step, const cha
     const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 3);
     std::snprintf(format.data(), format.size(), "%%.%df%s%s", digits, *unit ? " " : "", unit);
     return write_number(text, format.data(), value);
+}
+
+// The first and the last multiple of a step within a range.
+std::pair<std::int64_t, std::int64_t> multiples(const Range& range, double step) {
+    constexpr double kRounding = 1e-9;
+    return {std::llround(std::ceil(range.least / step - kRounding)),
+            std::llround(std::floor(range.most / step + kRounding))};
 }
 
 }  // namespace
@@ -97,25 +106,27 @@ void Graph::axes(Desk& desk, const Axis& across, const Axis& up) const {
     const auto width_of = [&](const char* text) { return letters->CalcTextSizeA(high, FLT_MAX, 0, text).x; };
     std::array<char, 32> text;
     const int parts = std::clamp(static_cast<int>((to_.y - from_.y) / (kPartUp * em)), 1, kMostUp);
-    const double rise = parts == 1 ? up.range.length() : round_step(up.range.length(), parts),
-                 top = std::floor(up.range.most / rise + 1e-9);
-    for (double i = std::ceil(up.range.least / rise - 1e-9); i <= top; ++i) {
-        list_->AddLine({from_.x, y(i * rise)}, {to_.x, y(i * rise)}, kLine);
+    const double rise = parts == 1 ? up.range.length() : round_step(up.range.length(), parts);
+    const auto [low, top] = multiples(up.range, rise);
+    for (std::int64_t i = low; i <= top; ++i) {
+        const double value = static_cast<double>(i) * rise;
+        list_->AddLine({from_.x, y(value)}, {to_.x, y(value)}, kLine);
         if (!up.is_told) continue;
-        const char* number = number_at(text, i * rise, rise, i == top ? up.unit : "");
-        if (width_of(number) > (kLeft - kClear) * em) number = number_at(text, i * rise, rise, "");
-        list_->AddText(letters, high, {from_.x - 0.3f * em - width_of(number), y(i * rise) - high / 2},
-                       kDimText, number);
+        const char* number = number_at(text, value, rise, i == top ? up.unit : "");
+        if (width_of(number) > (kLeft - kClear) * em) number = number_at(text, value, rise, "");
+        list_->AddText(letters, high, {from_.x - 0.3f * em - width_of(number), y(value) - high / 2}, kDimText,
+                       number);
     }
     if (!across.is_told) return;
-    const double step = round_step(across.range.length(), kMostAcross),
-                 last = std::floor(across.range.most / step + 1e-9);
-    for (double i = std::ceil(across.range.least / step - 1e-9); i <= last; ++i) {
-        const char* const number = number_at(text, i * step, step, i == last ? across.unit : "");
+    const double step = round_step(across.range.length(), kMostAcross);
+    const auto [first, last] = multiples(across.range, step);
+    for (std::int64_t i = first; i <= last; ++i) {
+        const double value = static_cast<double>(i) * step;
+        const char* const number = number_at(text, value, step, i == last ? across.unit : "");
         const float wide = width_of(number);
-        list_->AddLine({x(i * step), to_.y}, {x(i * step), to_.y + 0.2f * em}, kDimText);
+        list_->AddLine({x(value), to_.y}, {x(value), to_.y + 0.2f * em}, kDimText);
         list_->AddText(letters, high,
-                       {std::min(x(i * step) - wide / 2, to_.x + kRight * em - wide), to_.y + 0.2f * em},
+                       {std::min(x(value) - wide / 2, to_.x + kRight * em - wide), to_.y + 0.2f * em},
                        kDimText, number);
     }
 }
