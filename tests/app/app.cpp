@@ -1155,6 +1155,8 @@ TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
     EXPECT_NEAR(recording->header.scenario.camera->distance_m, app_->camera().distance_m, 1e-9);
 
     frames(30);
+    tap(function_key(9));
+    click("My hill");
     click(file.stem().c_str());
     EXPECT_FALSE(app_->sandbox().watches());
     EXPECT_EQ(app_->sandbox().scenario().scene, file.stem());
@@ -1205,8 +1207,9 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
     const std::filesystem::path file = app_->catalogue().worlds[0].file;
     EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
 
-    tap(function_key(2));
-    frames(3);
+    tap(function_key(9));
+    frames(2);
+    click("My hill");
     click(file.stem().c_str());
     EXPECT_TRUE(app_->sandbox().watches());
     frames(3);
