@@ -40,6 +40,12 @@ std::string_view to_string(Ended ended) {
     return "limit";
 }
 
+std::vector<sim::Command> commands_of_tick(std::span<const TimedCommand> commands, std::int64_t tick) {
+    std::vector<sim::Command> due;
+    for (const TimedCommand& each : commands_at(commands, tick)) due.push_back(each.command);
+    return due;
+}
+
 Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,
                              const Watchers& watchers, const std::string& what) {
     Progress progress(what);

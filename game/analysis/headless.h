@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
@@ -57,6 +58,9 @@ struct Watchers {
     // After each tick too. Its error ends the run.
     std::function<Outcome<void>(const Session&)> keep;
 };
+
+// What is done at the start of a tick, of commands sorted by tick.
+std::vector<sim::Command> commands_of_tick(std::span<const TimedCommand> commands, std::int64_t tick);
 
 // Plays a session, with the commands from its tick on. `what`: of the progress bar; empty: it has none.
 Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> commands, const Until& until,

@@ -75,9 +75,7 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
       ui_(ui_font()),
       catalogue_(std::move(catalogue)),
       options_(options),
-      lookout_(screen, display_) {
-    ui_.read_pictures(catalogue_.scenes);
-}
+      lookout_(screen, display_) {}
 
 App::~App() = default;
 

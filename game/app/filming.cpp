@@ -88,9 +88,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     watchers.keep = [&](const Session& now) -> Outcome<void> {
         if (auto goes_on = is_stopped(); !goes_on) return goes_on;
         progress_ = static_cast<float>(now.state().tick - first) / length;
-        std::vector<sim::Command> due;
-        for (const TimedCommand& each : commands_at(recording->commands, now.state().tick - 1))
-            due.push_back(each.command);
+        const auto due = commands_of_tick(recording->commands, now.state().tick - 1);
         return film->see(now, due);
     };
     if (const auto ended = play(subject.last); !ended) return tl::unexpected(ended.error());

@@ -137,7 +137,7 @@ class Writes {
     }
     // Those that a person has changed, so that a later program may have other usual ones.
     void keys(const KeyMap& map) {
-        const KeyMap usual;
+        const KeyMap& usual = KeyMap::usual();
         for (std::size_t row = 0; row < map.size(); ++row)
             if (map.at(row) != usual.at(row))
                 text_ += fmt::format("{} = {}\n", map.name(row), quoted(text_of(map.at(row))));

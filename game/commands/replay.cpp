@@ -173,9 +173,7 @@ Outcome<int> replay(const ReplayOptions& options) {
         watchers.keep = [&, page = watchers.keep](const Session& now) -> Outcome<void> {
             if (page)
                 if (auto kept = page(now); !kept) return kept;
-            std::vector<sim::Command> due;
-            for (const TimedCommand& each : commands_at(recording->commands, now.state().tick - 1))
-                due.push_back(each.command);
+            const auto due = commands_of_tick(recording->commands, now.state().tick - 1);
             if (audio)
                 if (auto heard = audio->see(now, due); !heard) return heard;
             return film ? film->see(now, due) : Outcome<void>();

@@ -78,7 +78,6 @@ std::vector<Catalogue::Entry> own_entries(ShelfKind kind) {
     for (const ShelfFile& each : shelf(kind, kMostOnShelf)) {
         Catalogue::Entry entry{each.file.stem().string(), each.file.string(), each.file};
         entry.picture = kind == ShelfKind::kRecording ? picture_of(each.file) : each.file;
-        entry.written = each.written;
         entries.push_back(std::move(entry));
     }
     return entries;

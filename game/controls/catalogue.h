@@ -29,7 +29,6 @@ struct Catalogue {
         std::string about = {};              // a sentence: of a challenge its task; may be empty
         std::int64_t difficulty = 0;         // of a challenge, 1 to SceneFile::kHardest; 0: not known
         std::filesystem::path picture = {};  // of what a person has made; it may not exist
-        std::int64_t written = 0;            // the same: s since 1970
     };
     std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name
     std::vector<Entry> materials, recordings;

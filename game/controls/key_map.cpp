@@ -141,6 +141,11 @@ KeyMap::KeyMap() : holds_(kHeldBindings.begin(), kHeldBindings.end()) {
     presses_.insert(presses_.end(), kKeyBindings.begin(), kKeyBindings.end());
 }
 
+const KeyMap& KeyMap::usual() {
+    static const KeyMap map;
+    return map;
+}
+
 Chord KeyMap::at(std::size_t row) const {
     if (row >= presses_.size()) return {holds_.at(row - presses_.size()).key, kAlone};
     return {presses_[row].key, presses_[row].with};

@@ -47,6 +47,7 @@ struct HeldBinding {
 class KeyMap {
   public:
     KeyMap();  // the usual keys
+    static const KeyMap& usual();
 
     std::span<const KeyBinding> presses() const { return presses_; }  // those of tools first
     std::span<const HeldBinding> holds() const { return holds_; }

@@ -35,7 +35,7 @@ void head(Desk& desk, const Facts& facts, Actions& actions) {
     const KeyMap& map = facts.keys.map;
     const auto other = choice.row && choice.got ? map.conflict(*choice.row, *choice.got) : std::nullopt;
     if (!other) {
-        ImGui::BeginDisabled(map == KeyMap());
+        ImGui::BeginDisabled(map == KeyMap::usual());
         if (desk.widgets.button("All usual keys", "Gives every action its usual key again.")) {
             choice.end();
             actions.emplace_back(ResetKeys{});
@@ -77,8 +77,7 @@ void head(Desk& desk, const Facts& facts, Actions& actions) {
 void row(Desk& desk, std::size_t at, const Facts& facts, Actions& actions) {
     KeyChoice& choice = desk.key_choice;
     const KeyMap& map = facts.keys.map;
-    static const KeyMap kUsual;
-    const bool asks = choice.row == at && choice.asks, differs = map.at(at) != kUsual.at(at);
+    const bool asks = choice.row == at && choice.asks, differs = map.at(at) != KeyMap::usual().at(at);
     const std::string label = asks ? "press a key" : label_of(facts.keys, map.at(at));
     ImGui::PushID(static_cast<int>(at));
     ImGui::BeginDisabled(!map.may_change(at));
@@ -94,7 +93,7 @@ void row(Desk& desk, std::size_t at, const Facts& facts, Actions& actions) {
         ImGui::SameLine();
         if (desk.widgets.icon_button("Usual key", Icon::kReset, "Gives it its usual key again.")) {
             choice.end();
-            bind(actions, at, kUsual.at(at));
+            bind(actions, at, KeyMap::usual().at(at));
         }
     }
     ImGui::SameLine();

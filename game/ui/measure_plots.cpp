@@ -124,6 +124,8 @@ std::optional<std::size_t> choose_house(Desk& desk, const Facts& facts) {
                             "The house at which the pressure is measured. Its number stands on the mountain.",
                             name))
         desk.house = chosen == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(chosen - 1));
+    if (facts.history->lacks_houses())
+        desk.widgets.dim("Only the first %zu houses are measured.", SlideHistory::kMostHouses);
     return chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1)) : most_pressed(facts);
 }
 

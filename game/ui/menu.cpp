@@ -44,6 +44,17 @@ void shade(Desk& desk, float column) {
     }
 }
 
+// Of the cards; they are read when the menu is first seen.
+void ask_for_pictures(Desk& desk, const std::vector<Catalogue::Entry>& scenes) {
+    std::vector<ScenePictures::Source> sources;
+    sources.reserve(scenes.size());
+    for (const Catalogue::Entry& scene : scenes) {
+        std::filesystem::path file = scene.file;
+        sources.push_back({scene.name, file.replace_extension(".jpg")});
+    }
+    desk.pictures.show(std::move(sources));
+}
+
 // The note under a button.
 struct MenuNote {
     std::array<char, 96> text{};
@@ -152,6 +163,7 @@ void page_window(Desk& desk, const Facts& facts, float left, Actions& actions) {
 }  // namespace
 
 void menu(Desk& desk, const Facts& facts, Actions& actions) {
+    ask_for_pictures(desk, facts.catalogue.scenes);
     const float em = desk.em(), margin = desk.margin(), left = 2 * margin;
     const bool at_start = desk.menu.page == Menu::Page::kStart, narrow = desk.size.x < kNarrowMenu * em;
     const float width = std::min(kMenuColumn * em, desk.size.x - 2 * left);

@@ -10,8 +10,6 @@
 namespace game::ui {
 namespace {
 
-constexpr float kCard = 11, kAbout = 19;               // em: least width; width of the pane
-constexpr float kCardTitle = 2.5f, kCardStars = 1.1f;  // em: heights below the picture
 constexpr std::array kDifficulties{"", "easy", "medium", "hard", "very hard"};
 constexpr const char* kStarts = "Starts this scene; the current session stays in its recording.";
 
@@ -38,15 +36,18 @@ const Catalogue::Entry* chosen_of(const Desk& desk, const Facts& facts, std::spa
     return first;
 }
 
-Widgets::Card card_of(Desk& desk, const Catalogue::Entry& entry, const Facts& facts, std::span<char> note) {
+// A harder challenge has the picture of the other one.
+std::optional<ScenePictures::Part> picture_of_scene(const Desk& desk, const Catalogue::Entry& entry) {
+    return desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than);
+}
+
+Widgets::Card card_of(const Desk& desk, const Catalogue::Entry& entry, const Facts& facts) {
     Widgets::Card card{.label = entry.title.c_str()};
-    if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
-        card.picture = picture->texture, card.from = picture->from, card.to = picture->to;
+    put_on(card, picture_of_scene(desk, entry));
     if (entry.kind != Kind::kChallenge) return card;
     card.medal = entry.best ? entry.best->medal : 0;
     card.is_closed = waits_for(entry, facts) != nullptr;
-    std::snprintf(note.data(), note.size(), "%s", kDifficulties[static_cast<std::size_t>(entry.difficulty)]);
-    card.note = note.data();
+    card.note = kDifficulties.at(static_cast<std::size_t>(entry.difficulty));
     return card;
 }
 
@@ -54,18 +55,11 @@ void cards(Desk& desk, const char* heading, Kind kind, const Catalogue::Entry* c
     const auto& scenes = facts.catalogue.scenes;
     if (std::ranges::find(scenes, kind, &Catalogue::Entry::kind) == scenes.end()) return;
     if (heading) desk.widgets.heading(heading);
-    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x,
-                least = kCard * desk.em();
-    const int columns = std::max(1, static_cast<int>((room + gap) / (least + gap)));
-    const float width = (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    const float words = kCardTitle + (kind == Kind::kChallenge ? kCardStars : 0);
-    const ImVec2 size{width, width * 9 / 16 + words * desk.em()};
-    int drawn = 0;
+    CardGrid grid(desk, CardGrid::kTitle + (kind == Kind::kChallenge ? CardGrid::kStars : 0));
     for (const Catalogue::Entry& entry : scenes) {
         if (entry.kind != kind) continue;
-        if (drawn++ % columns != 0) ImGui::SameLine();
-        std::array<char, 24> note{};
-        if (desk.widgets.card(card_of(desk, entry, facts, note), size, &entry == chosen))
+        grid.next();
+        if (desk.widgets.card(card_of(desk, entry, facts), grid.size(), &entry == chosen))
             desk.menu.chosen = entry.name;
     }
 }
@@ -85,14 +79,11 @@ void facts_of_challenge(Desk& desk, const Catalogue::Entry& entry, const Facts& 
         desk.widgets.fact("Gold opens", "%s", harder->title.c_str());
 }
 
-// What is chosen, with the button that begins it.
-void about(Desk& desk, const Catalogue::Entry& entry, const Facts& facts, Actions& actions) {
-    const float width = ImGui::GetContentRegionAvail().x;
-    if (const auto picture = desk.pictures.of(entry.harder_than.empty() ? entry.name : entry.harder_than))
-        ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
-    ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-    desk.widgets.plain("%s", entry.title.c_str());
-    ImGui::PopStyleColor();
+// What is chosen, if anything, with the button that begins it.
+void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actions& actions) {
+    if (!chosen) return;
+    const Catalogue::Entry& entry = *chosen;
+    picture_and_title(desk, picture_of_scene(desk, entry), entry.title.c_str());
     std::array<char, 512> text;
     if (!entry.about.empty()) desk.widgets.plain("%s", write_with_volumes(text, entry.about));
     desk.widgets.note("About");
@@ -101,22 +92,9 @@ void about(Desk& desk, const Catalogue::Entry& entry, const Facts& facts, Action
     if (other) desk.widgets.plain("Opens with gold in “%s”.", other->title.c_str());
     ImGui::Dummy({0, desk.em() * 0.3f});
     ImGui::BeginDisabled(other != nullptr);
-    if (desk.widgets.button("Start", kStarts, true, width)) actions.emplace_back(Open{entry.name, {}});
+    if (desk.widgets.button("Start", kStarts, true, ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(Open{entry.name, {}});
     ImGui::EndDisabled();
-}
-
-// Cards at the left, and what is chosen at the right.
-template <class Cards>
-void cards_and_choice(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actions& actions,
-                      const Cards& cards) {
-    const float pane = std::min(kAbout * desk.em(), ImGui::GetContentRegionAvail().x / 2);
-    ImGui::BeginChild("Cards", {-pane - desk.em(), 0});
-    cards();
-    ImGui::EndChild();
-    ImGui::SameLine(0, desk.em());
-    ImGui::BeginChild("About it", {0, 0});
-    if (chosen) about(desk, *chosen, facts, actions);
-    ImGui::EndChild();
 }
 
 void own_worlds_of(Desk& desk, const char* heading, Kind kind, const char* tooltip, const Facts& facts,
@@ -135,6 +113,18 @@ constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
 }  // namespace
+
+void put_on(Widgets::Card& card, const std::optional<ScenePictures::Part>& picture) {
+    if (picture) card.picture = picture->texture, card.from = picture->from, card.to = picture->to;
+}
+
+void picture_and_title(Desk& desk, const std::optional<ScenePictures::Part>& picture, const char* title) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (picture) ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
+    ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+    desk.widgets.plain("%s", title);
+    ImGui::PopStyleColor();
+}
 
 const Catalogue::Entry* waits_for(const Catalogue::Entry& entry, const Facts& facts) {
     if (entry.harder_than.empty() || entry.best || entry.name == facts.scenario.scene) return nullptr;
@@ -178,17 +168,21 @@ void challenges_page(Desk& desk, const Facts& facts, Actions& actions) {
     const Ladder ladder = ladder_of(facts.catalogue.scenes);
     desk.widgets.dim("%d of %d won, %d of %d stars. A gold medal opens the harder one of a challenge.",
                      ladder.won, ladder.challenges, ladder.stars, kGold * ladder.challenges);
-    cards_and_choice(desk, chosen, facts, actions,
-                     [&] { cards(desk, nullptr, Kind::kChallenge, chosen, facts); });
+    cards_and_choice(
+        desk, [&] { cards(desk, nullptr, Kind::kChallenge, chosen, facts); },
+        [&] { about(desk, chosen, facts, actions); });
 }
 
 void free_play_page(Desk& desk, const Facts& facts, Actions& actions) {
     constexpr std::array kKinds{Kind::kMountain, Kind::kFlowDemo};
     const Catalogue::Entry* const chosen = chosen_of(desk, facts, kKinds);
-    cards_and_choice(desk, chosen, facts, actions, [&] {
-        cards(desk, nullptr, Kind::kMountain, chosen, facts);
-        cards(desk, "Flow demos: the figures of the paper", Kind::kFlowDemo, chosen, facts);
-    });
+    cards_and_choice(
+        desk,
+        [&] {
+            cards(desk, nullptr, Kind::kMountain, chosen, facts);
+            cards(desk, "Flow demos: the figures of the paper", Kind::kFlowDemo, chosen, facts);
+        },
+        [&] { about(desk, chosen, facts, actions); });
 }
 
 void hill_page(Desk& desk, const Facts& facts, Actions& actions) {

@@ -16,7 +16,6 @@ using Entry = Catalogue::Entry;
 
 constexpr std::array kShelfNames{"Slides that ship", "Your recordings", "Your screenshots"};
 constexpr std::array kOrderNames{"newest first", "oldest first", "by name"};
-constexpr float kShelfCard = 11, kShelfTitle = 2.5f, kShelfPane = 19;  // em
 
 const std::vector<Entry>& entries_of(Menu::Shelf shelf, const Catalogue& catalogue) {
     if (shelf == Menu::Shelf::kShipped) return catalogue.recordings;
@@ -54,13 +53,13 @@ std::vector<const Entry*> found(const Menu& menu, const Facts& facts) {
     return all;
 }
 
-// The name of a picture: of its scene for what ships, else the file.
+// What ships has the picture of its scene.
 std::optional<ScenePictures::Part> picture_of_entry(Desk& desk, const Entry& entry) {
     if (desk.menu.shelf == Menu::Shelf::kShipped) return desk.pictures.of(entry.name);
     return desk.shelf_pictures.of(entry.file.native());
 }
 
-void ask_for_pictures(Desk& desk, const std::vector<const Entry*>& all) {
+void ask_for_own_pictures(Desk& desk, const std::vector<const Entry*>& all) {
     if (desk.menu.shelf == Menu::Shelf::kShipped) return;
     std::vector<ScenePictures::Source> sources;
     sources.reserve(all.size());
@@ -89,21 +88,16 @@ void head_of_shelf(Desk& desk) {
 
 void cards_of_shelf(Desk& desk, const std::vector<const Entry*>& all, const Entry* chosen,
                     const Facts& facts) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x,
-                least = kShelfCard * desk.em();
-    const int columns = std::max(1, static_cast<int>((room + gap) / (least + gap)));
-    const float width = (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     if (all.empty())
         desk.widgets.dim("Nothing here%s", desk.menu.search[0] ? " has these letters." : " yet.");
-    int drawn = 0;
+    CardGrid grid(desk, CardGrid::kTitle);
     for (const Entry* entry : all) {
-        if (drawn++ % columns != 0) ImGui::SameLine();
+        grid.next();
         std::array<char, 160> label;
         Widgets::Card card{.label = write_label(label, *entry, desk.menu, facts)};
-        if (const auto picture = picture_of_entry(desk, *entry))
-            card.picture = picture->texture, card.from = picture->from, card.to = picture->to;
-        ImGui::PushID(drawn);
-        if (desk.widgets.card(card, {width, width * 9 / 16 + kShelfTitle * desk.em()}, entry == chosen)) {
+        put_on(card, picture_of_entry(desk, *entry));
+        ImGui::PushID(entry);
+        if (desk.widgets.card(card, grid.size(), entry == chosen)) {
             desk.menu.chosen = entry->file.native();
             desk.menu.renames = desk.menu.asks_to_throw = false;
         }
@@ -159,18 +153,14 @@ void deeds(Desk& desk, const Entry& entry, float width, Actions& actions) {
 
 void about_entry(Desk& desk, const Entry& entry, const Facts& facts, Actions& actions) {
     const float width = ImGui::GetContentRegionAvail().x;
-    if (const auto picture = picture_of_entry(desk, entry))
-        ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
     std::array<char, 160> label;
-    ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-    desk.widgets.plain("%s", write_label(label, entry, desk.menu, facts));
-    ImGui::PopStyleColor();
+    picture_and_title(desk, picture_of_entry(desk, entry), write_label(label, entry, desk.menu, facts));
     desk.widgets.dim("%s", entry.file.filename().c_str());
     ImGui::Dummy({0, desk.em() * 0.3f});
     if (desk.menu.shelf != Menu::Shelf::kScreenshots) {
         if (desk.widgets.button("Watch", "Plays it; you can continue anywhere.", true, width))
             actions.emplace_back(Open{entry.file.string(), {}});
-        if (desk.widgets.button("Continue at its end", "Goes on from where it ends.", false, width))
+        if (desk.widgets.button("Continue at its end", "Continues where it ends.", false, width))
             actions.emplace_back(Open{entry.file.string(), {}, true});
     }
     if (desk.menu.shelf != Menu::Shelf::kShipped) deeds(desk, entry, width, actions);
@@ -184,18 +174,15 @@ void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
         menu.shelf = Menu::Shelf::kShipped;
     head_of_shelf(desk);
     const std::vector<const Entry*> all = found(menu, facts);
-    ask_for_pictures(desk, all);
+    ask_for_own_pictures(desk, all);
     const auto clicked =
         std::ranges::find(all, menu.chosen, [](const Entry* entry) { return entry->file.native(); });
     const Entry* const chosen = clicked != all.end() ? *clicked : all.empty() ? nullptr : all.front();
-    const float pane = std::min(kShelfPane * desk.em(), ImGui::GetContentRegionAvail().x / 2);
-    ImGui::BeginChild("Cards of the shelf", {-pane - desk.em(), 0});
-    cards_of_shelf(desk, all, chosen, facts);
-    ImGui::EndChild();
-    ImGui::SameLine(0, desk.em());
-    ImGui::BeginChild("About a file", {0, 0});
-    if (chosen) about_entry(desk, *chosen, facts, actions);
-    ImGui::EndChild();
+    cards_and_choice(
+        desk, [&] { cards_of_shelf(desk, all, chosen, facts); },
+        [&] {
+            if (chosen) about_entry(desk, *chosen, facts, actions);
+        });
 }
 
 }  // namespace game::ui

@@ -200,16 +200,6 @@ bool Ui::perform(Verb verb) {
     return true;
 }
 
-void Ui::read_pictures(const std::vector<Catalogue::Entry>& scenes) {
-    std::vector<ScenePictures::Source> sources;
-    sources.reserve(scenes.size());
-    for (const Catalogue::Entry& scene : scenes) {
-        std::filesystem::path file = scene.file;
-        sources.push_back({scene.name, file.replace_extension(".jpg")});
-    }
-    parts_->desk.pictures.show(std::move(sources));
-}
-
 void Ui::build(const Facts& facts, Actions& actions) {
     Desk& desk = parts_->desk;
     desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));

@@ -38,9 +38,6 @@ class Ui {
     bool shows_menu() const;
     bool shows_measures() const;  // the panel of the cross-section
 
-    // Starts to read the pictures of these scenes for the list of scenes.
-    void read_pictures(const std::vector<Catalogue::Entry>& scenes);
-
     // Builds all open panels; to be called once per frame between begin() and draw().
     void build(const Facts& facts, Actions& actions);
     // Builds nothing but the program's name, for the time until there is a world.
