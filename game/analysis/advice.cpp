@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <numbers>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "game/analysis/measures.h"
+#include "game/words/words.h"
 #include "sim/world/things.h"
 
 namespace game {
@@ -23,10 +23,11 @@ constexpr double kMiddle = 0.15;  // of the greatest distance from the middle: n
 constexpr double kEven = 0.05;    // of the radius: a slab of which as much is left on each side
 
 const char* toward(glm::dvec2 way) {
-    constexpr std::array<const char*, 8> kNames{"north", "north-east", "east", "south-east",
-                                                "south", "south-west", "west", "north-west"};
+    constexpr std::array<const char*, 8> kNames{
+        message("north"), message("north-east"), message("east"), message("south-east"),
+        message("south"), message("south-west"), message("west"), message("north-west")};
     const double eighths = std::atan2(way.x, way.y) / (std::numbers::pi / 4);
-    return kNames.at(static_cast<std::size_t>(std::lrint(eighths) + 8) % 8);
+    return tr(kNames.at(static_cast<std::size_t>(std::lrint(eighths) + 8) % 8));
 }
 
 bool misses_a_need_on_houses(const Goal& goal, const Score& score) {
@@ -59,8 +60,8 @@ std::string what_hit(const sim::Thing& house, const sim::View& world, const Peak
             deepest = std::max(deepest, peaks.depth[index_of(grid, x, y)]);
         }
     if (greatest <= 0 || glm::length(way) <= 0) return "";
-    return fmt::format("The house with the greatest load was hit from the {}, by a flow up to {:.1f} m deep.",
-                       toward(way), deepest);
+    return said("The house with the greatest load was hit from the {}, by a flow up to {:.1f} m deep.",
+                toward(way), deepest);
 }
 
 // How much of the earth that was heaped up the flow ran over, and where.
@@ -80,26 +81,25 @@ std::string what_passed(const sim::View& world, const Peaks& peaks) {
         if (static_cast<double>(peaks.depth[i]) >= Measures::kExtentDepth) over += place, ++overrun;
     });
     if (heaped == 0) return "";
-    if (overrun == 0) return "The flow went past your earth.";
+    if (overrun == 0) return tr("The flow went past your earth.");
     const glm::dvec2 middle = all / heaped;
     each([&](glm::dvec2 place, std::size_t) { farthest = std::max(farthest, glm::length(place - middle)); });
     const glm::dvec2 aside = over / overrun - middle;
     const bool has_side = overrun < heaped && glm::length(aside) > kMiddle * farthest;
-    return fmt::format("The flow ran over {:.0f} % of your earth{}.", 100 * overrun / heaped,
-                       has_side ? fmt::format(", most in the {} of it", toward(aside)) : "");
+    return said("The flow ran over {:.0f} % of your earth{}.", 100 * overrun / heaped,
+                has_side ? said(", most in the {} of it", toward(aside)) : "");
 }
 
 // How much of the slab was left to come down, and where; or that the house was hit before.
 std::string what_was_left(const Goal& goal, const AttemptWatch::Slab& slab, std::int64_t load) {
     using sim::CommandKind;
     if (!tool_of(goal, CommandKind::kBlast) && !tool_of(goal, CommandKind::kDig)) return "";
-    if (load > 0 && slab.load == load) return "That was before the slope let go.";
+    if (load > 0 && slab.load == load) return tr("That was before the slope let go.");
     const double percent = std::round(100 * slab.left);
-    if (percent >= 100) return "When the slope let go, all of its cover was still there.";
-    return fmt::format("When the slope let go, {:.0f} % of its cover was still there{}.", percent,
-                       glm::length(slab.aside) > kEven
-                           ? fmt::format(", more in the {} than elsewhere", toward(slab.aside))
-                           : "");
+    if (percent >= 100) return tr("When the slope let go, all of its cover was still there.");
+    return said(
+        "When the slope let go, {:.0f} % of its cover was still there{}.", percent,
+        glm::length(slab.aside) > kEven ? said(", more in the {} than elsewhere", toward(slab.aside)) : "");
 }
 
 }  // namespace

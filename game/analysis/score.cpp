@@ -12,6 +12,7 @@
 
 #include "game/analysis/measures.h"
 #include "game/analysis/thing_results.h"
+#include "game/words/words.h"
 #include "sim/world/ledger.h"
 
 namespace game {
@@ -134,7 +135,7 @@ bool meets(const Goal::Need& need, std::int64_t value) {
 
 std::string_view unit_text(const Quantity& quantity) {
     const MeasureInfo& info = info_of(quantity.measure);
-    return info.has_tool ? unit_of(quantity.tool) : info.unit;
+    return tr(info.has_tool ? unit_of(quantity.tool) : info.unit);
 }
 
 // Thousandths, rounded to so many digits after the point.
@@ -164,13 +165,13 @@ std::pair<std::string, std::string> value_and_bound(const Goal::Need& need, cons
                                        ? amount_text(bound, digits, unit)
                                        : fmt::format("{}{}{}", bound, unit.empty() ? "" : " ", unit);
     return {amount_text(value, digits, unit),
-            fmt::format("{} {}", need.most ? "at most" : "at least", bound_text)};
+            fmt::format("{} {}", tr(need.most ? "at most" : "at least"), bound_text)};
 }
 
 std::string name_of(const Quantity& quantity) {
     const MeasureInfo& info = info_of(quantity.measure);
-    return info.has_tool ? fmt::format("{} {}", sim::info_of(quantity.tool).name, info.words)
-                         : std::string(info.words);
+    return info.has_tool ? fmt::format("{} {}", tr(sim::info_of(quantity.tool).name), tr(info.words))
+                         : std::string(tr(info.words));
 }
 
 // The terms of the score, without its base.
@@ -232,18 +233,18 @@ NeedText text_of(const Goal::Need& need, const Score::Judged& judged) {
 }
 
 std::string verdict_of(const Score& score) {
-    if (score.won()) return fmt::format("Won: {}", medal_name(score.medal));
-    return score.meets_needs() ? "No medal" : "Lost";
+    if (score.won()) return said("Won: {}", tr(medal_name(score.medal)));
+    return tr(score.meets_needs() ? "No medal" : "Lost");
 }
 
 std::string reason_of(const Goal& goal, const Score& score) {
     for (std::size_t i = 0; i < goal.needs.size(); ++i)
         if (!score.needs[i].met) {
             const NeedText text = text_of(goal.needs[i], score.needs[i]);
-            return fmt::format("The {} is {}, and must be {}.", text.what, text.value, text.bound);
+            return said("The {} is {}, and must be {}.", text.what, text.value, text.bound);
         }
     if (score.won()) return "";
-    return fmt::format("The score is {}, and bronze begins at {}.", score.points, goal.medals[0]);
+    return said("The score is {}, and bronze begins at {}.", score.points, goal.medals[0]);
 }
 
 std::string to_text(const Goal& goal, const Score& score) {

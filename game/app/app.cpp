@@ -15,6 +15,7 @@
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
 #include "game/scene/surface.h"
+#include "game/words/words.h"
 #include "render/mountain/overview.h"
 #include "render/mountain/pick.h"
 #include "sim/world/disc.h"
@@ -48,7 +49,7 @@ class Stopwatch {
 Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, const sim::StepOptions& options,
                                          const std::optional<std::filesystem::path>& record,
                                          std::optional<Tier> tier, const std::optional<Remembered>& led,
-                                         SettingsFile settings) {
+                                         SettingsFile settings, Languages languages) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     auto catalogue = read_catalogue();
@@ -61,6 +62,7 @@ Outcome<std::unique_ptr<App>> App::begin(Screen& screen, LoadedWorld loaded, con
     std::unique_ptr<App> app(new App(screen, std::move(*renderer), std::move(*catalogue), options));
     app->skip_wait();
     app->renderer_name_ = screen.renderer_name();
+    app->languages_ = std::move(languages);
     app->begin_as_kept(std::move(settings), tier);
     if (auto begun = app->begin_world(std::move(loaded), record, backdrop.get()); !begun)
         return tl::unexpected(begun.error());
@@ -77,7 +79,9 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
       options_(options),
       lookout_(screen, display_) {}
 
-App::~App() = default;
+App::~App() {
+    speak(nullptr);
+}
 
 // `tier`: of the command line.
 void App::begin_as_kept(SettingsFile settings, std::optional<Tier> tier) {
@@ -85,11 +89,19 @@ void App::begin_as_kept(SettingsFile settings, std::optional<Tier> tier) {
     now_set_ = settings_.begun();
     display_ = now_set_.display;
     if (!settings_.told().empty()) warn(settings_.told());
+    for (const std::string& told : languages_.told()) warn(told);
+    languages_.choose(display_.language);
+    spoken_ = display_.language;
     if (!tier) tier = now_set_.tier;
     if (tier)
         display_.tier = *tier;
     else
         image_.begin_trial(display_.frame_ms);
+}
+
+void App::speak_as_chosen() {
+    if (std::exchange(spoken_, display_.language) == display_.language) return;
+    languages_.choose(display_.language);
 }
 
 // As a person has left them until now. Of a full screen, the size of the window before.
@@ -115,6 +127,7 @@ bool App::frame() {
     // top.
     const auto events = watch_opening(poll(elapsed_s));
     const ScreenSize size = screen_.size();
+    speak_as_chosen();
     ui_.begin(events, screen_, display_.letters, elapsed_s);
     input_.take(events, size, {ui_.keeps_mouse(), ui_.keeps_keys()}, actions_);
     input_.add(gamepad_.turn(), gamepad_.walk());
@@ -208,8 +221,8 @@ std::span<const Event> App::poll(double elapsed_s) {
     const auto& pad = screen_.pad();
     if (!pad && !gamepad_.is_there()) return polled;
     if (!gamepad_.is_there())
-        tell(fmt::format("Gamepad: {}. Keys in the menu shows what its buttons do", screen_.pad_name()));
-    if (!pad) tell("The gamepad is gone. Mouse and keys work as before");
+        tell(said("Gamepad: {}. Keys in the menu shows what its buttons do", screen_.pad_name()));
+    if (!pad) tell(tr("The gamepad is gone. Mouse and keys work as before"));
     events_.assign(polled.begin(), polled.end());
     if (!events_.empty()) gamepad_.yield();
     gamepad_.take(pad,
@@ -285,20 +298,20 @@ void App::begin_stroke() {
         if (const auto run = runs_->pointed_at()) return open_run(*run);
     if (sandbox_->looks_back()) return tell_hands_off();
     if (sandbox_->scenario().flow)
-        return tell("Brushes do not work in a flow demo. Change its speeds in the Display panel");
+        return tell(tr("Brushes do not work in a flow demo. Change its speeds in the Display panel"));
     // Where the button was pressed; the cursor may have moved on since.
     const sim::View world = sandbox_->session().view();
     const auto at = lookout_.ground_under(input_.drag_from(), world);
     if (!at) {
         if (lookout_.mountain_under(input_.drag_from(), world))
-            tell("Beyond the grid there is only scenery: brushes work inside its border");
+            tell(tr("Beyond the grid there is only scenery: brushes work inside its border"));
         return;
     }
     const double bedrock = between(square_under(world.grid, glm::dvec2(*at)), world.bedrock);
     hand_.press(input_.modifiers(), glm::dvec2(*at), bedrock + world.datum,
                 static_cast<double>(world.grid.dx));
     open_.earth_before = earth_used();
-    sandbox_->begin_action(std::string(sim::info_of(hand_.stroke()->deed().kind).name));
+    sandbox_->begin_action(std::string(tr(sim::info_of(hand_.stroke()->deed().kind).name)));
     tell_of_bare_ground(glm::dvec2(*at));
 }
 
@@ -315,7 +328,7 @@ void App::tell_of_bare_ground(glm::dvec2 at) {
         bare &= state.depth(x, y) <= 0 && (releases || state.rolling(x, y) <= 0);
     });
     if (!bare) return;
-    tell(fmt::format("Nothing lies here that could be {}", releases ? "released" : "dug away"));
+    tell(said("Nothing lies here that could be {}", tr(releases ? "released" : "dug away")));
 }
 
 double App::earth_used() const {
@@ -428,7 +441,7 @@ void App::keep_run(const Score& score) {
     const auto kept = sandbox_->recorded_so_far().and_then([&](const std::string& recorded) {
         return best_list_.keep(score, sandbox_->session().state_line().hash, recorded);
     });
-    if (!kept) warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
+    if (!kept) warn(said("This run is not among the best runs: {}", kept.error().sentence));
 }
 
 // The same of a recording that somebody else has made: once its states and its rules are proven.
@@ -437,18 +450,18 @@ void App::keep_watched_run(const Score& score) {
     if (!score.meets_needs() || !watched.claim || sandbox_->verdict()->kind() != Verdict::Kind::kExact)
         return;
     if (const auto broken = broken_rule(sandbox_->scenario(), watched.commands, score.tick))
-        return warn(fmt::format("This run is not among the best runs: {}", *broken));
+        return warn(said("This run is not among the best runs: {}", *broken));
     if (*watched.claim != score.claim())
-        return warn(fmt::format("This run is not among the best runs: it claims a score of {}, and has {}",
-                                watched.claim->score, score.points));
+        return warn(said("This run is not among the best runs: it claims a score of {}, and has {}",
+                         watched.claim->score, score.points));
     const StateLine& now = sandbox_->session().state_line();
     const auto kept =
         recording_of_try(watched, sandbox_->opening().name, score, now)
             .and_then([&](const std::string& text) { return best_list_.keep(score, now.hash, text); });
-    if (!kept) return warn(fmt::format("This run is not among the best runs: {}", kept.error().sentence));
+    if (!kept) return warn(said("This run is not among the best runs: {}", kept.error().sentence));
     if (std::ranges::find(best_list_.runs(), now.hash, &BestRun::hash) != best_list_.runs().end())
-        tell(fmt::format("Proven: a score of {}, {}. It counts among the best runs", score.points,
-                         medal_name(score.medal)));
+        tell(said("Proven: a score of {}, {}. It counts among the best runs", score.points,
+                  tr(medal_name(score.medal))));
 }
 
 bool App::has_card() const {
@@ -458,10 +471,10 @@ bool App::has_card() const {
 // Says that a slide has come to rest, how to share it, and what it came to.
 void App::judge_slides() {
     if (const auto lasted = open_.results.came_to_rest(*sandbox_))
-        tell(fmt::format("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
-                         name_of(keys(), Verb::kShare)));
+        tell(said("The slide has come to rest after {:.0f} s. {} shares it as a web page", *lasted,
+                  name_of(keys(), Verb::kShare)));
     if (const auto swept = open_.results.judge_slide(*sandbox_, time_.pace().creeps()))
-        tell(fmt::format("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
+        tell(said("Only {:.0f} m³ were swept along. Try it steeper: 40° or more", *swept));
 }
 
 // Of the world as it will be shown. In a pause and on the way to another time it is silent.
@@ -500,21 +513,21 @@ void App::take_over_at_end() {
     take_over();
     open_.results.set_may_share(true);
     if (verdict.parted)
-        warn(fmt::format("End of the recording. Its replay differs: {}. You can continue from here",
-                         *verdict.parted));
+        warn(said("End of the recording. Its replay differs: {}. You can continue from here",
+                  *verdict.parted));
     else if (!verdict.comparable)
-        tell(
+        tell(tr(
             "End of the recording. It was made by another physics version, so states were not compared. You "
-            "can continue from here");
+            "can continue from here"));
     else if (!proven)
         tell(
-            "End of the recording. It has no state up to its end to compare with. You can continue from "
-            "here");
+            tr("End of the recording. It has no state up to its end to compare with. You can continue from "
+               "here"));
     else
         tell(
-            fmt::format("End of the recording, replayed bit for bit. You can continue from here; {} shares "
-                        "it as a web page",
-                        name_of(keys(), Verb::kShare)));
+            said("End of the recording, replayed bit for bit. You can continue from here; {} shares "
+                 "it as a web page",
+                 name_of(keys(), Verb::kShare)));
 }
 
 // A ring around what the tool reaches, or the outline of what it is about to place.
@@ -544,7 +557,7 @@ void App::see_ghost() {
     const Session& session = sandbox_->session();
     const std::int64_t before = ghost_.version();
     ghost_.see(wanted ? session.state().tick - *action : -1);
-    while (const auto fault = ghost_.fault()) warn(fmt::format("A best run is not shown: {}", *fault));
+    while (const auto fault = ghost_.fault()) warn(said("A best run is not shown: {}", *fault));
     if (ghost_.version() == before) return;
     const auto hectares = [&](std::ptrdiff_t vertices) {
         constexpr double kHectare = 1e4;  // m²
@@ -604,7 +617,7 @@ void App::take_screenshot() {
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
     const auto begun =
         screenshots_.write(std::move(*picture), dated_name(shot.scenario.scene), texts_of(shot));
-    if (!begun) warn(fmt::format("No screenshot: {}", begun.error().sentence));
+    if (!begun) warn(said("No screenshot: {}", begun.error().sentence));
     skip_wait();
 }
 
@@ -725,6 +738,7 @@ void App::draw_panels() {
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
             .sound_fault = sounds_.fault(),
+            .languages = languages_.choices(),
             .now_s = now_s(),
             .image = image_.size(),
             .sharing = sharing_.progress(),

@@ -12,6 +12,7 @@
 #include "game/app/filming.h"
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
+#include "game/app/languages.h"
 #include "game/app/measuring.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
@@ -52,13 +53,13 @@ class App {
     // Starts with `loaded` on a screen that outlives the app; `record` as in begin_world. Errors: shaders or
     // assets are missing, or `record` cannot be written (3). Without a `tier`, the first frames measure which
     // one suits the machine. `led`: how far the tutorial has got; at its first step `loaded` is its opening slide.
-    // `settings`: what it begins with and where it keeps what a person changes.
+    // `settings`: what it begins with and where it keeps what a person changes. `languages`: among which a person can choose.
     static Outcome<std::unique_ptr<App>> begin(Screen& screen, LoadedWorld loaded,
                                                const sim::StepOptions& options,
                                                const std::optional<std::filesystem::path>& record,
                                                std::optional<Tier> tier = std::nullopt,
                                                const std::optional<Remembered>& led = std::nullopt,
-                                               SettingsFile settings = {});
+                                               SettingsFile settings = {}, Languages languages = {});
     ~App();
 
     // Runs one frame, from events to the image on the screen. False once the user has asked to quit, or if the image
@@ -111,6 +112,7 @@ class App {
     void draw_world(const FrameTime& time);
     void draw_panels();
     void play_sound(int ticks);
+    void speak_as_chosen();
     void begin_as_kept(SettingsFile settings, std::optional<Tier> tier);
     const Settings& settings_now();
     void take_screenshot();
@@ -248,6 +250,8 @@ class App {
     Display display_;
     SettingsFile settings_;
     Settings now_set_;  // settings_now()
+    Languages languages_;
+    std::string spoken_;  // of the display, when the language was chosen
     Input input_{now_set_.keys};
     Gamepad gamepad_;
     std::vector<Event> events_;  // of a frame in which there is a gamepad

@@ -20,6 +20,7 @@
 #include "game/scene/scene_ground.h"
 #include "game/scene/surface.h"
 #include "game/session/world_now.h"
+#include "game/words/words.h"
 #include "render/mountain/overview.h"
 
 namespace game {
@@ -100,7 +101,7 @@ void App::perform(Verb verb) {
             return screenshots_.ask();
         case Verb::kMute:
             display_.volumes.muted = !display_.volumes.muted;
-            return tell(display_.volumes.muted ? "Sound off" : "Sound on");
+            return tell(tr(display_.volumes.muted ? "Sound off" : "Sound on"));
         case Verb::kFullscreen:
             return screen_.set_fullscreen(!screen_.fullscreen());
         case Verb::kQuit:
@@ -123,7 +124,7 @@ void App::perform(const SetSpeed& set) {
 void App::perform(Tool tool) {
     const auto& goal = sandbox_->scenario().goal;
     if (goal && !tool_of(*goal, deed_of(tool).kind))
-        return tell(fmt::format("{} is no tool of this challenge", deed_of(tool).label));
+        return tell(said("{} is no tool of this challenge", tr(deed_of(tool).label)));
     hand_.choose(tool);
 }
 void App::perform(const SetBrush& set) {
@@ -188,42 +189,42 @@ void App::perform(const SaveWorld&) {
         return keep_own(OwnKind::kWorld, now.title, recording_of(now));
     });
     skip_wait();
-    if (!saved) return warn(fmt::format("This world is not saved: {}", saved.error().sentence));
+    if (!saved) return warn(said("This world is not saved: {}", saved.error().sentence));
     list_own();
-    tell(fmt::format("Saved as {}{}", saved->string(), not_kept(state)));
+    tell(said("Saved as {}{}", saved->string(), not_kept(state)));
 }
 
 void App::perform(const MakeChallenge&) {
-    if (maker_.is_busy()) return tell("A challenge is being made already");
-    if (sandbox_->scenario().goal) return tell("This world is a challenge already");
+    if (maker_.is_busy()) return tell(tr("A challenge is being made already"));
+    if (sandbox_->scenario().goal) return tell(tr("This world is a challenge already"));
     const Scenario& scenario = sandbox_->scenario();
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // it is played again
     const bool has_things = sandbox_->session().state().things.has_value();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value(), has_things); !fits)
-        return warn(fmt::format("No challenge: {}", fits.error()));
+        return warn(said("No challenge: {}", fits.error()));
     sim::StepOptions options;
     options.threads = 1;  // the window goes on
     if (const auto begun = maker_.begin(scenario, sandbox_->history(), options); !begun)
-        return warn(fmt::format("No challenge: {}", begun.error().sentence));
-    tell("Your slide is played again, to prove that the challenge can be won");
+        return warn(said("No challenge: {}", begun.error().sentence));
+    tell(tr("Your slide is played again, to prove that the challenge can be won"));
 }
 
 void App::tell_made() {
     const auto made = maker_.result();
     if (!made) return;
-    if (!*made) return warn(fmt::format("No challenge: {}", made->error().sentence));
+    if (!*made) return warn(said("No challenge: {}", made->error().sentence));
     list_own();
-    tell(fmt::format("Your challenge, gold from {} m, is in the Scene panel: {}", (*made)->gold,
-                     (*made)->file.string()));
+    tell(said("Your challenge, gold from {} m, is in the Scene panel: {}", (*made)->gold,
+              (*made)->file.string()));
 }
 
 void App::perform(const CoverGround& wish) {
     if (!is_bare(sandbox_->scenario(), sandbox_->session().state()) || sandbox_->watches()) return;
     LoadedWorld covered = first_;
     cover_ground(covered.scene.scenario, wish.depth);
-    covered.told = fmt::format("The ground is covered with {:.1f} m, but for what is steeper than {:.0f}°",
-                               wish.depth, kBareSlope);
+    covered.told = said("The ground is covered with {:.1f} m, but for what is steeper than {:.0f}°",
+                        wish.depth, kBareSlope);
     const Brush brush = hand_.brush();
     const CameraControl camera = lookout_.control();
     if (const auto begun = begin_world(std::move(covered), std::nullopt); !begun)
@@ -236,12 +237,12 @@ void App::perform(const CoverGround& wish) {
 void App::perform(const TryChallenge&) {
     if (!first_.watched || !first_.scene.scenario.goal) return;
     if (const auto wrong = fault_of_reach(first_.scene.scenario))
-        return warn(fmt::format("Nobody can win this challenge: {}", to_text(*wrong)));
+        return warn(said("Nobody can win this challenge: {}", to_text(*wrong)));
     LoadedWorld own = first_;
     own.watched.reset();
     own.name.clear();
     own.scene.commands = own.scene.scenario.goal->events;
-    own.told = "Your turn";
+    own.told = tr("Your turn");
     if (const auto begun = begin_afresh(std::move(own)); !begun) warn(begun.error().sentence);
 }
 
@@ -250,9 +251,9 @@ void App::perform(const SetNumber& set) {
     // So that a recording contains 0.6, not 0.6000000238418579.
     const double value = shortest(set.value);
     if (const auto fault = hand_.set_number(sandbox_->session().state().params, set.param, value))
-        return warn(fmt::format("Parameter not set: {}", *fault));
-    sandbox_->begin_action(fmt::format("set {}", sim::kParams[set.param].name));
-    if (time_.clock().paused()) tell("Paused: the parameter changes on the next tick");
+        return warn(said("Parameter not set: {}", *fault));
+    sandbox_->begin_action(said("set {}", sim::kParams[set.param].name));
+    if (time_.clock().paused()) tell(tr("Paused: the parameter changes on the next tick"));
 }
 
 // The pose of the scene, or one that shows the whole terrain, such that its image would fit into the rows of the window
@@ -280,29 +281,29 @@ render::Camera App::home() const {
 void App::tell_camera_mode() {
     const Keys keys = this->keys();
     if (lookout_.control().mode() == CameraMode::kTopDown)
-        tell(fmt::format("Top view, north up. Drag with the middle button to pan; press {} to return",
-                         name_of(keys, Verb::kTopDown)));
+        tell(said("Top view, north up. Drag with the middle button to pan; press {} to return",
+                  name_of(keys, Verb::kTopDown)));
     if (lookout_.control().mode() == CameraMode::kChase)
-        tell(fmt::format("The camera follows the front of {}. Press {} to stop",
-                         sim::at_rest(sandbox_->session().state()) ? "the next slide" : "the slide",
-                         name_of(keys, Verb::kChase)));
+        tell(said("The camera follows the front of {}. Press {} to stop",
+                  sim::at_rest(sandbox_->session().state()) ? tr("the next slide") : tr("the slide"),
+                  name_of(keys, Verb::kChase)));
     if (lookout_.control().mode() == CameraMode::kFly)
-        tell(fmt::format("Fly mode. Move with {} or arrows, look with the right button; press {} to return",
-                         names_of_walking(keys), name_of(keys, Verb::kFly)));
+        tell(said("Fly mode. Move with {} or arrows, look with the right button; press {} to return",
+                  names_of_walking(keys), name_of(keys, Verb::kFly)));
 }
 
 void App::undo() {
     stop_hand();
     // Parameters waiting for the next tick have no effect yet: discard them and nothing else.
-    if (hand_.drop_numbers()) return tell("Undone: parameters set for the next tick");
+    if (hand_.drop_numbers()) return tell(tr("Undone: parameters set for the next tick"));
     const auto undone = sandbox_->undo();
     time_.jump();
     if (!undone && undone.error().status == Failure::kMachine) {
         file_.stop(undone.error());
-        return warn(fmt::format("Undone, but recording has stopped: {}", undone.error().sentence));
+        return warn(said("Undone, but recording has stopped: {}", undone.error().sentence));
     }
     if (!undone) return tell(undone.error().sentence);
-    tell(fmt::format("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
+    tell(said("Undone: {}. Back at {:.1f} s", *undone, sandbox_->session().seconds()));
 }
 
 void App::redo() {
@@ -311,14 +312,14 @@ void App::redo() {
     time_.jump();
     if (!redone && redone.error().status == Failure::kMachine) {
         file_.stop(redone.error());
-        return warn(fmt::format("Redone, but recording has stopped: {}", redone.error().sentence));
+        return warn(said("Redone, but recording has stopped: {}", redone.error().sentence));
     }
     if (!redone) return tell(redone.error().sentence);
     // What follows the action is known, so the world only has to get there.
     const std::int64_t end = sandbox_->known_until();
     time_.go_to(end);
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
-    tell(fmt::format("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(end) * tick_s));
+    tell(said("Redone: {}. On to {:.1f} s", *redone, static_cast<double>(end) * tick_s));
 }
 
 // Ends what the user is doing to the world or to time.
@@ -328,7 +329,7 @@ void App::stop_hand() {
 }
 
 bool App::may_go_back() {
-    if (!sandbox_->can_go_back()) tell("Flow demos cannot be rewound");
+    if (!sandbox_->can_go_back()) tell(tr("Flow demos cannot be rewound"));
     return sandbox_->can_go_back();
 }
 
@@ -349,7 +350,7 @@ std::int64_t App::shortly_before() const {
 }
 
 void App::go_to_mark(const std::optional<std::int64_t>& tick) {
-    if (!tick) return tell("No mark on the timeline lies there");
+    if (!tick) return tell(tr("No mark on the timeline lies there"));
     perform(SeekTick{*tick});
 }
 
@@ -357,7 +358,7 @@ void App::go_to_mark(const std::optional<std::int64_t>& tick) {
 void App::skip() {
     if (sandbox_->looks_back()) return perform(SeekTick{sandbox_->known_until()});
     if (sim::at_rest(sandbox_->session().state()))
-        return tell("Nothing moves, so there is no end to skip to");
+        return tell(tr("Nothing moves, so there is no end to skip to"));
     open_.skips = !open_.skips;
     if (open_.skips) time_.clock().pause(false);
 }
@@ -377,7 +378,7 @@ void App::take_over_at(std::int64_t tick) {
 
 void App::take_over() {
     if (!sandbox_->watches() && !sandbox_->looks_back())
-        return tell("Already at the present: brushes and parameters work here");
+        return tell(tr("Already at the present: brushes and parameters work here"));
     const auto& wanted = file_.wanted();
     const auto path = wanted && sandbox_->watches() ? Outcome<std::filesystem::path>(*wanted)
                                                     : next_recording(sandbox_->scenario().scene);
@@ -389,36 +390,34 @@ void App::take_over() {
     list_own();
     if (!taken) {
         file_.stop(taken.error());
-        return warn(
-            fmt::format("You can continue from here, but it is not recorded: {}", taken.error().sentence));
+        return warn(said("You can continue from here, but it is not recorded: {}", taken.error().sentence));
     }
     file_.begin(sandbox_->session().recorder() ? std::optional(*path) : std::nullopt);
-    tell(fmt::format("Branched at {:.1f} s into a new recording. The original keeps what came after",
-                     seconds));
+    tell(said("Branched at {:.1f} s into a new recording. The original keeps what came after", seconds));
 }
 
 void App::tell_hands_off() {
-    tell(fmt::format("Read-only: {}. Press {} to continue from here",
-                     sandbox_->watches() ? "watching a recording" : "looking at the past",
-                     name_of(keys(), Verb::kTakeOver)));
+    tell(said("Read-only: {}. Press {} to continue from here",
+              tr(sandbox_->watches() ? "watching a recording" : "looking at the past"),
+              name_of(keys(), Verb::kTakeOver)));
 }
 
 void App::reset() {
     LoadedWorld again = first_;
-    again.told = fmt::format(
-        "Restarted: {}{}", first_.scene.scenario.title,
-        file_.remains(sandbox_->was_touched()) ? ". The previous session stays in its recording" : "");
+    again.told = said(
+        "Restarted: {}{}", tr(first_.scene.scenario.title.c_str()),
+        file_.remains(sandbox_->was_touched()) ? tr(". The previous session stays in its recording") : "");
     if (const auto begun = begin_world(std::move(again), file_.wanted()); !begun)
         warn(begun.error().sentence);
 }
 
 void App::share() {
     const Session& session = sandbox_->session();
-    if (sandbox_->scenario().flow) return tell("A flow demo cannot be shared: it has no slide to play");
+    if (sandbox_->scenario().flow) return tell(tr("A flow demo cannot be shared: it has no slide to play"));
     // In the first tick all is looked at, so that it counts as changed.
     if (sandbox_->known_until() == session.state().tick && session.changed_at() <= 1) {
         if (sandbox_->scenario().goal) return perform(ChallengeFriend{});
-        return tell("Nothing to share yet, because nothing has moved. Release a slide first");
+        return tell(tr("Nothing to share yet, because nothing has moved. Release a slide first"));
     }
     share(sandbox_->watches() ? watched_text(sandbox_->opening()) : sandbox_->recorded_so_far());
 }
@@ -428,33 +427,33 @@ void App::perform(const ChallengeFriend&) {
 }
 
 void App::share(Outcome<std::string> recording) {
-    if (sharing_.progress()) return tell("A slide is being shared already. Share the next one after it");
+    if (sharing_.progress()) return tell(tr("A slide is being shared already. Share the next one after it"));
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // the page plays the slide anew
     memory.use.page = true;
     const Scenario& scenario = sandbox_->scenario();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
-        return warn(fmt::format("This slide cannot be shared: {}", fits.error()));
+        return warn(said("This slide cannot be shared: {}", fits.error()));
     const auto begun = std::move(recording).and_then([&](std::string&& recorded) {
         return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera()});
     });
     open_.results.set_may_share(false);
-    if (!begun) warn(fmt::format("This slide cannot be shared: {}", begun.error().sentence));
+    if (!begun) warn(said("This slide cannot be shared: {}", begun.error().sentence));
 }
 
 void App::perform(const FilmSlide& film) {
     const Session& session = sandbox_->session();
     const Scenario& scenario = sandbox_->scenario();
     const std::int64_t known = sandbox_->known_until();
-    if (filming_.progress()) return tell("A film is being made already. Start the next one after it");
+    if (filming_.progress()) return tell(tr("A film is being made already. Start the next one after it"));
     if (known == session.state().tick && session.changed_at() <= 1)
-        return tell("Nothing to film yet, because nothing has moved. Release a slide first");
+        return tell(tr("Nothing to film yet, because nothing has moved. Release a slide first"));
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // the film plays the slide anew
     memory.use.draws = true;
     memory.use.frames = {film.wish.width, film.wish.height};
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
-        return warn(fmt::format("This slide cannot be filmed: {}", fits.error()));
+        return warn(said("This slide cannot be filmed: {}", fits.error()));
     // Until shortly after all has come to rest, if that is known.
     constexpr double kAfter = 2;  // s
     const auto after = static_cast<std::int64_t>(kAfter / static_cast<double>(scenario.params.tick_s));
@@ -469,13 +468,13 @@ void App::perform(const FilmSlide& film) {
                                .light = display_.light},
                               film.wish);
     });
-    if (!begun) warn(fmt::format("This slide cannot be filmed: {}", begun.error().sentence));
+    if (!begun) warn(said("This slide cannot be filmed: {}", begun.error().sentence));
 }
 
 // The recording that is being written, or that is watched and may be read again.
 bool App::is_in_use(const std::filesystem::path& file) {
     const bool used = file == file_.path() || (sandbox_->watches() && file == first_.scene.files.front());
-    if (used) tell("This recording is open. Open something else first");
+    if (used) tell(tr("This recording is open. Open something else first"));
     return used;
 }
 
@@ -484,7 +483,7 @@ void App::perform(const RenameFile& wish) {
     const auto renamed = rename_on_shelf(wish.file, wish.name);
     list_own();
     if (!renamed) return warn(renamed.error().sentence);
-    tell(fmt::format("Renamed: {}", renamed->filename().string()));
+    tell(said("Renamed: {}", renamed->filename().string()));
 }
 
 void App::perform(const ThrowAway& wish) {
@@ -492,17 +491,16 @@ void App::perform(const ThrowAway& wish) {
     const auto thrown = throw_away(wish.file);
     list_own();
     if (!thrown) return warn(thrown.error().sentence);
-    tell(fmt::format("In the trash: {}", wish.file.filename().string()));
+    tell(said("In the trash: {}", wish.file.filename().string()));
 }
 
 void App::perform(const ShowFile& wish) {
-    if (!show_folder(wish.file.parent_path()))
-        tell(fmt::format("It is in {}", wish.file.parent_path().string()));
+    if (!show_folder(wish.file.parent_path())) tell(said("It is in {}", wish.file.parent_path().string()));
 }
 
 void App::perform(const StopFilm&) {
     filming_.stop();
-    tell("The film was stopped; nothing of it is kept");
+    tell(tr("The film was stopped; nothing of it is kept"));
 }
 
 void App::perform(const DrawSection& wish) {
@@ -512,8 +510,8 @@ void App::perform(const DrawSection& wish) {
 void App::tell_film() {
     const auto made = filming_.result();
     if (!made) return;
-    if (!*made) return warn(fmt::format("No film was made: {}", made->error().sentence));
-    tell(fmt::format("Film: {:.0f} s, {}", (*made)->seconds, (*made)->file.string()));
+    if (!*made) return warn(said("No film was made: {}", made->error().sentence));
+    tell(said("Film: {:.0f} s, {}", (*made)->seconds, (*made)->file.string()));
     if (!(*made)->notice.empty()) warn((*made)->notice);
     if (display_.shows_shared) show_folder((*made)->file.parent_path());
 }
@@ -525,16 +523,16 @@ void App::tell_results() {
     tell_film();
     while (const auto screenshot = screenshots_.result()) {
         if (*screenshot)
-            tell(fmt::format("Screenshot: {}", (*screenshot)->string()));
+            tell(said("Screenshot: {}", (*screenshot)->string()));
         else
-            warn(fmt::format("No screenshot: {}", screenshot->error().sentence));
+            warn(said("No screenshot: {}", screenshot->error().sentence));
     }
     const auto shared = sharing_.result();
     if (!shared) return;
-    if (!*shared) return warn(fmt::format("This slide was not shared: {}", shared->error().sentence));
+    if (!*shared) return warn(said("This slide was not shared: {}", shared->error().sentence));
     constexpr double kMegabyte = 1e6;
-    tell(fmt::format("Shared: a page of {:.1f} MB for any browser, and its recording, in {}",
-                     static_cast<double>((*shared)->page.bytes) / kMegabyte, (*shared)->folder.string()));
+    tell(said("Shared: a page of {:.1f} MB for any browser, and its recording, in {}",
+              static_cast<double>((*shared)->page.bytes) / kMegabyte, (*shared)->folder.string()));
     for (const std::string& notice : (*shared)->page.notices) warn(notice);
     if (display_.shows_shared) show_folder((*shared)->folder);
 }
@@ -556,7 +554,7 @@ void App::show_runs(Runs runs) {
     lookout_.enter(runs_->view(home(), sandbox_->session().view()), sandbox_->session().view());
     ui_.perform(Verb::kToggleDisplay);  // its legend
     pause(true);                        // it would flow over its own picture
-    tell("Colours: in how many runs a place was hit. Dots: where runs ended; click one to open its run");
+    tell(tr("Colours: in how many runs a place was hit. Dots: where runs ended; click one to open its run"));
 }
 
 // In the colours of its material, because those of the probability would hide it.
@@ -607,7 +605,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     if (*recorder) recording = (*recorder)->name();
     auto begun = Sandbox::begin(loaded, options_, std::move(*recorder));
     if (!begun && recording && !record) {
-        warn(fmt::format("This session is not recorded: {}", begun.error().sentence));
+        warn(said("This session is not recorded: {}", begun.error().sentence));
         recording.reset();
         begun = Sandbox::begin(loaded, options_, std::nullopt);
     }
@@ -667,7 +665,7 @@ Outcome<std::optional<Recorder>> App::begin_recording(const Scenario& scenario,
     // A file given with --record must be writable. The default recording is optional.
     if (!recorder && wanted) return tl::unexpected(recorder.error());
     if (!recorder) {
-        warn(fmt::format("This session is not recorded: {}", recorder.error().sentence));
+        warn(said("This session is not recorded: {}", recorder.error().sentence));
         return std::nullopt;
     }
     return std::move(*recorder);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "game/ui/widgets.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -26,17 +27,17 @@ std::string next_medal(const Goal& goal, const Score& score) {
     if (next > kGold) return "";
     const std::int64_t least = goal.medals.at(static_cast<std::size_t>(next - 1));
     const std::int64_t missing = least - score.points;
-    if (missing < least / kNear) return fmt::format(", {} short of {}", grouped(missing), medal_name(next));
-    return fmt::format(" ({} from {})", medal_name(next), grouped(least));
+    if (missing < least / kNear) return said(", {} short of {}", grouped(missing), tr(medal_name(next)));
+    return said(" ({} from {})", tr(medal_name(next)), grouped(least));
 }
 
 // How a try compares with the best one before it; empty if there is nothing to compare.
 std::string beside_best(const Score& score, std::span<const BestRun> earlier) {
-    if (earlier.empty()) return score.meets_needs() ? "this one" : "";
+    if (earlier.empty()) return score.meets_needs() ? tr("this one") : "";
     const BestRun& best = earlier.front();
     if (score.meets_needs() && std::pair(score.medal, score.points) > std::pair(best.medal, best.score))
-        return fmt::format("this one; before it {}", grouped(best.score));
-    return fmt::format("{}, {}", grouped(best.score), medal_name(best.medal));
+        return said("this one; before it {}", grouped(best.score));
+    return fmt::format("{}, {}", grouped(best.score), tr(medal_name(best.medal)));
 }
 
 // `seconds`: of the world, when it was measured; the rolling layer may erode and deposit more afterwards.
@@ -45,12 +46,12 @@ void add_rows(const Measures& m, double seconds, ui::ResultCard& card) {
     card.top = {m.top.x, m.top.y}, card.toe = {m.toe.x, m.toe.y};
     constexpr double kKmPerHour = 3.6;
     std::array<char, 40> text{};
-    card.rows.push_back({"Run-out", ui::write_number(text, "%.0f m", m.run_out)});
-    card.rows.push_back({"Drop", ui::write_number(text, "%.0f m", m.fall)});
-    card.rows.push_back({"Top speed", fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
-                                                  kKmPerHour * m.peak_speed_slope)});
+    card.rows.push_back({tr("Run-out"), ui::write_number(text, "%.0f m", m.run_out)});
+    card.rows.push_back({tr("Drop"), ui::write_number(text, "%.0f m", m.fall)});
+    card.rows.push_back({tr("Top speed"), fmt::format("{:.0f} m/s, {:.0f} km/h", m.peak_speed_slope,
+                                                      kKmPerHour * m.peak_speed_slope)});
     card.rows.push_back(
-        {"Swept along", fmt::format("{} by {:.0f} s", ui::write_volume(text, m.eroded), seconds)});
+        {tr("Swept along"), said("{} by {:.0f} s", ui::write_volume(text, m.eroded), seconds)});
 }
 
 }  // namespace
@@ -58,18 +59,19 @@ void add_rows(const Measures& m, double seconds, ui::ResultCard& card) {
 ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<const BestRun> earlier,
                        const std::string& advice) {
     const Goal& goal = *scenario.goal;
+    const std::string learn = tr(goal.learn.c_str());
     ui::ResultCard card{
         scenario.title,
         verdict_of(score),
         reason_of(goal, score),
-        advice.empty() || goal.learn.empty() ? advice + goal.learn : fmt::format("{} {}", advice, goal.learn),
+        advice.empty() || goal.learn.empty() ? advice + learn : fmt::format("{} {}", advice, learn),
         score.medal,
         {}};
-    card.rows.push_back({"Score", score.meets_needs()
-                                      ? fmt::format("{}{}", grouped(score.points), next_medal(goal, score))
-                                      : "none, because it is lost"});
+    card.rows.push_back({tr("Score"), score.meets_needs() ? fmt::format("{}{}", grouped(score.points),
+                                                                        next_medal(goal, score))
+                                                          : tr("none, because it is lost")});
     if (std::string best = beside_best(score, earlier); !best.empty())
-        card.rows.push_back({"Best run", std::move(best)});
+        card.rows.push_back({tr("Best run"), std::move(best)});
     for (std::size_t i = 0; i < goal.needs.size(); ++i) {
         NeedText need = text_of(goal.needs[i], score.needs[i]);
         need.what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(need.what.front())));
@@ -81,10 +83,10 @@ ui::ResultCard card_of(const Scenario& scenario, const Score& score, std::span<c
 }
 
 ui::ResultCard card_of_slide(const Scenario& scenario, const Measures& measures, double seconds) {
-    ui::ResultCard card{scenario.title, "Your slide", "", "", std::nullopt, {}};
+    ui::ResultCard card{scenario.title, tr("Your slide"), "", "", std::nullopt, {}};
     add_rows(measures, seconds, card);
     if (measures.peak_pressure)
-        card.rows.push_back({"Top pressure", fmt::format("{:.0f} kPa", *measures.peak_pressure)});
+        card.rows.push_back({tr("Top pressure"), fmt::format("{:.0f} kPa", *measures.peak_pressure)});
     return card;
 }
 

@@ -1,6 +1,8 @@
 #include "game/app/settings.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -25,6 +27,7 @@ template <class Each>
 void each_setting(Settings& s, Each& each) {
     Display& d = s.display;
     each.table("display");
+    each.language("language", d.language);
     each.flag("contours", d.contours);
     each.flag("trees", d.trees);
     each.flag("ghost", d.ghost);
@@ -76,6 +79,17 @@ class Reads {
         const auto read =
             table_ ? table_->whole(key, Settings::kLeastSide, Settings::kMostSide) : std::nullopt;
         if (read) value = static_cast<int>(*read);
+    }
+    // One that is not there any more is kept, and English is spoken.
+    void language(const char* key, std::string& value) {
+        const auto code = table_ ? table_->text(key) : std::nullopt;
+        if (!code) return;
+        value = *code;
+        const bool is_code =
+            !code->empty() && code->size() < 16 && std::ranges::all_of(*code, [](unsigned char c) {
+                return std::isalnum(c) || c == '_' || c == '-' || c == '@';
+            });
+        if (!is_code) table_->blame(key, "must be the code of a language, such as de");
     }
     void tier(const char* key, std::optional<Tier>& value) {
         const auto name = table_ ? table_->text(key) : std::nullopt;
@@ -131,6 +145,9 @@ class Writes {
     }
     void side(const char* key, int value) {
         if (value > 0) text_ += fmt::format("{} = {}\n", key, value);
+    }
+    void language(const char* key, const std::string& code) {
+        if (!code.empty()) text_ += fmt::format("{} = \"{}\"\n", key, code);
     }
     void tier(const char* key, std::optional<Tier> value) {
         if (value) text_ += fmt::format("{} = \"{}\"\n", key, info_of(*value).name);

@@ -12,6 +12,7 @@
 
 #include "game/analysis/measures.h"
 #include "game/scene/surface.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -112,9 +113,8 @@ std::size_t ShownRuns::next_of(const End& end) const {
 std::string ShownRuns::told_of(const End& end) const {
     const Runs::Run& next = runs_.ended[next_of(end)];
     std::string words;
-    if (end.runs.size() > 1)
-        words = fmt::format("{} of {} runs ended here\n", end.runs.size(), runs_.ended.size());
-    return words + (next.number == open_run_ ? "Run " : "Click: run ") + next.words;
+    if (end.runs.size() > 1) words = said("{} of {} runs ended here\n", end.runs.size(), runs_.ended.size());
+    return words + tr(next.number == open_run_ ? "Run " : "Click: run ") + next.words;
 }
 
 std::optional<std::int64_t> ShownRuns::pointed_at() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "game/words/words.h"
+
 namespace game {
 namespace {
 
@@ -54,7 +56,7 @@ std::optional<std::string> Sounds::play(const Session& session, const sound::Ear
         if (!speaker_->lives()) {
             speaker_.reset();
             fault_ = "the sound device has gone";
-            return "The sound device has gone. Sound goes on once there is one";
+            return tr("The sound device has gone. Sound continues once there is one");
         }
     }
     mixer_.mix(hearing_->look(session), hearing_->happened(), session.view(), ear, volumes, elapsed_s);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/controls/tools.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -42,7 +43,7 @@ void TimeMarks::see(const Session& session, std::span<const sim::Command> comman
     known_until_ = std::max(known_until_, session.state().tick);
     const int damage = damage_in(session);
     if (session.state().tick > seen_until_ && damage > damage_)
-        add({session.state().tick, ui::TimeMark::Kind::kHit, "hit"});
+        add({session.state().tick, ui::TimeMark::Kind::kHit, message("hit")});
     damage_ = damage;
     seen_until_ = std::max(seen_until_, session.state().tick);
 }

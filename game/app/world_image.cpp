@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "game/controls/key_map.h"
+#include "game/words/words.h"
 #include "render/gl/context.h"
 
 namespace game {
@@ -145,11 +146,11 @@ void WorldImage::finish_trial(double draw_ms) {
     tier_ = *tier;
     resolution_.drew_another();
     constexpr std::array<const char*, kTiers.size()> kMeanings{
-        "this machine draws moving images in time at a lower resolution",
-        "this machine draws moving images in time at full resolution or a little less",
-        "this machine draws every image in time at full resolution with smooth edges"};
-    tell(fmt::format("Quality: {}, because {}. Settings in the menu change it", info_of(*tier).name,
-                     kMeanings[static_cast<std::size_t>(*tier)]));
+        message("this machine draws moving images in time at a lower resolution"),
+        message("this machine draws moving images in time at full resolution or a little less"),
+        message("this machine draws every image in time at full resolution with smooth edges")};
+    tell(said("Quality: {}, because {}. Settings in the menu change it", tr(info_of(*tier).name),
+              tr(kMeanings[static_cast<std::size_t>(*tier)])));
 }
 
 // Tells once per size of the screen what does not fit.

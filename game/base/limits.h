@@ -39,6 +39,10 @@ inline constexpr std::size_t kMostTomlDepth = 32;                             //
 inline constexpr double kFarthestPlace = 1e7;                                 // m, of a coordinate of a place
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
+// Languages.
+inline constexpr std::size_t kMostLanguageBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMostMessages = 10'000, kLongestMessage = 4096;  // bytes
+
 inline constexpr std::size_t kMostPlaced = 2000;  // commands of things, done before tick 0
 
 // Meshes and arrays.
@@ -91,6 +95,9 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"depth raster", "in all", terrains::kMostDepthPixels, "pixels"},
     {"picture", "in all", terrains::kMostHeightmapPixels, "pixels"},
     {"picture", "channels", terrains::kMostHeightmapChannels, ""},
+    {"language", "file", kMostLanguageBytes, "bytes"},
+    {"language", "messages", kMostMessages, ""},
+    {"language", "a message", kLongestMessage, "bytes"},
     {"OBJ", "line", kLongestMeshLine, "bytes"},
     {"OBJ", "vertices, and as many triangles", kMostMeshParts, ""},
     {"NPY", "header", kLongestArrayHeader, "bytes"},

@@ -93,6 +93,15 @@ std::string without_hidden(std::string_view text, Instead&& instead) {
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const Character c = character_at(text);
+        if (!c.valid) return false;
+        text.remove_prefix(c.bytes);
+    }
+    return true;
+}
+
 std::string printable(const std::string& text) {
     return without_hidden(text, [](char32_t code) { return code == '\n' ? '\n' : '?'; });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace game {
 
@@ -8,6 +9,8 @@ namespace game {
 // sequences, NUL, those of ISO 8859-1), characters that turn the direction of text or separate lines, invisible ones
 // with which two names look alike, and code points that are no characters. Text that is not UTF-8 keeps its bytes,
 // but for those from 0x80 to 0x9f, which are controls of ISO 8859-1.
+
+bool is_utf8(std::string_view text);
 
 // The text as it is printed: each such character becomes '?'. Line breaks stay.
 std::string printable(const std::string& text);

@@ -91,7 +91,7 @@ Outcome<int> play(const PlayOptions& options) {
     if (settings.begun().fullscreen && !options.size) (*window)->set_fullscreen(true);
     show_title(**window);
     auto app = App::begin(**window, std::move(*loaded), options.step_options, options.record, options.tier,
-                          led, std::move(settings));
+                          led, std::move(settings), options.safe ? Languages() : Languages::of_user());
     if (!app) return tl::unexpected(app.error());
     if (runs) (*app)->show_runs(std::move(*runs));
     if (led && !watches && !options.record) (*app)->begin_menu();

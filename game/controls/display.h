@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "game/base/volumes.h"
 #include "game/controls/tier.h"
@@ -30,6 +31,7 @@ struct Display {
     double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full
     double most_scale = 1;          // of a moving image, one of kScales, unless the tier is full
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
+    std::string language;           // code of that of the window; empty: that of the system
     bool slow_release = true;       // time passes slower for a moment when a slide breaks loose
     bool fast_creep = true;         // and faster when only creep is left of it
     sound::Volumes volumes;         // of sound

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "game/controls/gamepad.h"
+#include "game/words/words.h"
 
 namespace game {
 namespace {
@@ -94,39 +95,39 @@ constexpr std::array kGestureBindings{
 std::string_view bare_name(Key key) {
     switch (key) {
         case Key::kSpace:
-            return "Space";
+            return message("Space");
         case Key::kEscape:
-            return "Esc";
+            return message("Esc");
         case Key::kEnter:
-            return "Enter";
+            return message("Enter");
         case Key::kTab:
-            return "Tab";
+            return message("Tab");
         case Key::kBackspace:
-            return "Backspace";
+            return message("Backspace");
         case Key::kDelete:
-            return "Delete";
+            return message("Delete");
         case Key::kLeft:
-            return "Left";
+            return message("Left");
         case Key::kRight:
-            return "Right";
+            return message("Right");
         case Key::kUp:
-            return "Up";
+            return message("Up");
         case Key::kDown:
-            return "Down";
+            return message("Down");
         case Key::kHome:
-            return "Home";
+            return message("Home");
         case Key::kEnd:
-            return "End";
+            return message("End");
         case Key::kPageUp:
-            return "PageUp";
+            return message("PageUp");
         case Key::kPageDown:
-            return "PageDown";
+            return message("PageDown");
         case Key::kShift:
-            return "Shift";
+            return message("Shift");
         case Key::kControl:
-            return "Ctrl";
+            return message("Ctrl");
         case Key::kAlt:
-            return "Alt";
+            return message("Alt");
         default:
             return {};
     }
@@ -207,26 +208,44 @@ std::span<const GestureBinding> gesture_bindings() {
     return kGestureBindings;
 }
 
-std::string name_of(const KeyboardLayout& layout, Key key, Modifiers with) {
+namespace {
+
+// `word`: how the words on keys are written.
+template <class Word>
+std::string spelled(const KeyboardLayout& layout, Key key, Modifiers with, const Word& word) {
     std::string name;
-    if (with.control) name += "Ctrl+";
-    if (with.alt) name += "Alt+";
-    if (with.shift) name += "Shift+";
+    const auto hold = [&](bool held, const char* modifier) {
+        if (held) name.append(word(modifier)).append("+");
+    };
+    hold(with.control, message("Ctrl"));
+    hold(with.alt, message("Alt"));
+    hold(with.shift, message("Shift"));
     const int code = static_cast<int>(key), function = code - static_cast<int>(Key::kF1) + 1;
     if (function >= 1 && function <= 12) {
         name += 'F';
         if (function >= 10) name += '1';
         name += static_cast<char>('0' + function % 10);
-    } else if (const std::string_view word = bare_name(key); !word.empty()) {
-        name += word;
+    } else if (const std::string_view bare = bare_name(key); !bare.empty()) {
+        name += word(bare);
     } else {
         name += layout.name_of(key);
     }
     return name;
 }
 
+// As files spell it, in any language.
+std::string spelled(Key key, Modifiers with) {
+    return spelled({}, key, with, [](std::string_view word) { return word; });
+}
+
+}  // namespace
+
+std::string name_of(const KeyboardLayout& layout, Key key, Modifiers with) {
+    return spelled(layout, key, with, [](std::string_view word) { return tr(word); });
+}
+
 std::string text_of(Chord chord) {
-    return chord.key == Key::kNone ? std::string() : name_of({}, chord.key, chord.with);
+    return chord.key == Key::kNone ? std::string() : spelled(chord.key, chord.with);
 }
 
 std::optional<Chord> chord_of(std::string_view text) {
@@ -240,7 +259,7 @@ std::optional<Chord> chord_of(std::string_view text) {
     takes("Alt+", chord.with.alt);
     takes("Shift+", chord.with.shift);
     for (int code = 1; code < kKeys; ++code)
-        if (name_of({}, static_cast<Key>(code)) == text) {
+        if (spelled(static_cast<Key>(code), kAlone) == text) {
             chord.key = static_cast<Key>(code);
             return chord;
         }

@@ -5,6 +5,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 // What a challenge asks, and what a try came to.
 
@@ -31,14 +32,14 @@ void what_is_left(Desk& desk, const Goal& goal, const GoalUse& use) {
         if (!left) continue;
         const double all = tool.total ? *tool.total : static_cast<double>(*tool.count);
         const std::string_view unit = tool.total ? unit_of(tool.kind) : "";
-        std::array<char, 96> text;
+        std::array<char, 160> text;
         std::array<char, 40> volume_left, volume;
         if (unit == "m3")
-            std::snprintf(text.data(), text.size(), "%s: %s of %s left", verb_of(tool.kind),
+            std::snprintf(text.data(), text.size(), tr("%s: %s of %s left"), tr(verb_of(tool.kind)),
                           write_number(volume_left, "%.0f m³", *left), write_number(volume, "%.0f m³", all));
         else
-            std::snprintf(text.data(), text.size(), "%s: %.4g of %.4g%s%.*s left", verb_of(tool.kind), *left,
-                          all, unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
+            std::snprintf(text.data(), text.size(), tr("%s: %.4g of %.4g%s%.*s left"), tr(verb_of(tool.kind)),
+                          *left, all, unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
         if (&tool != &goal.tools.front()) ImGui::SameLine(0, 1.5f * desk.em());
         ImGui::PushStyleColor(ImGuiCol_Text, *left > 0 ? kAccent : kDimText);
         ImGui::TextUnformatted(text.data());
@@ -65,7 +66,7 @@ void verdict(Desk& desk, const ResultCard& card) {
     ImGui::BeginGroup();
     ImGui::TextUnformatted(card.verdict.c_str());
     desk.widgets.note("Verdict");
-    desk.widgets.dim("%s", card.title.c_str());
+    desk.widgets.dim("%s", tr(card.title.c_str()));
     ImGui::EndGroup();
 }
 
@@ -86,7 +87,7 @@ void countdown(Desk& desk, const GoalEvent& event, ImDrawList& list) {
     constexpr double kHundredth = 0.01;  // s; 30 s are not 31 because a tick is no decimal
     std::array<char, 32> text;
     const auto seconds = static_cast<int>(std::ceil(event.in_s - kHundredth));
-    std::snprintf(text.data(), text.size(), "in %d:%02d", seconds / 60, seconds % 60);
+    std::snprintf(text.data(), text.size(), tr("in %d:%02d"), seconds / 60, seconds % 60);
     plate(desk, event.at, 1, text.data(), kWarning, list);
 }
 
@@ -211,7 +212,7 @@ void dam(Desk& desk, const Facts& facts) {
     for (const GoalLine& line : facts.dam_lines) stroke(desk, line, list);
     std::array<char, 32> volume;
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%.1f m high, %s", facts.dam->height,
+    std::snprintf(text.data(), text.size(), tr("%.1f m high, %s"), facts.dam->height,
                   write_volume(volume, facts.dam->volume));
     constexpr double kAbove = -2;  // em
     plate(desk, facts.dam->at, kAbove, text.data(), kText, list);
@@ -227,7 +228,7 @@ void challenge(Desk& desk, const Facts& facts, Actions& actions) {
     const float room = desk.size.x - left - right - 2 * desk.margin(),
                 most = std::min(kLineWidth * desk.em(), room) - padding;
     std::array<char, kLongText> text;
-    const char* const say = write_with_volumes(text, facts.scenario.goal->say);
+    const char* const say = write_with_volumes(text, tr(std::string_view(facts.scenario.goal->say)));
     const float width = ImGui::CalcTextSize(say, nullptr, false, most).x + padding + 1;
     ImGui::SetNextWindowPos({(left + desk.size.x - right) / 2, desk.toolbar_bottom + desk.margin() / 2},
                             ImGuiCond_Always, {0.5f, 0});

@@ -167,9 +167,27 @@ bool quality(Desk& desk, Display& display) {
     return changed;
 }
 
-bool picture(Desk& desk, Display& display) {
+// That of the system, and all that there are.
+bool language(Desk& desk, const Facts& facts, Display& display) {
+    if (facts.languages.size() < 2) return false;
+    int chosen = 0;
+    for (std::size_t i = 0; i < facts.languages.size(); ++i)
+        if (facts.languages[i].code == display.language) chosen = static_cast<int>(i) + 1;
+    desk.widgets.row("Language");
+    if (!desk.widgets.choice("Language", chosen, static_cast<int>(facts.languages.size()) + 1,
+                             "The language of the window.", [&](int i) {
+                                 return i == 0
+                                            ? "as the system has it"
+                                            : facts.languages[static_cast<std::size_t>(i - 1)].name.c_str();
+                             }))
+        return false;
+    display.language = chosen == 0 ? "" : facts.languages[static_cast<std::size_t>(chosen - 1)].code;
+    return true;
+}
+
+bool picture(Desk& desk, const Facts& facts, Display& display) {
     desk.widgets.heading("Picture");
-    bool changed = false;
+    bool changed = language(desk, facts, display);
     double detail = static_cast<double>(display.detail) * 100,
            powder = static_cast<double>(display.powder) * 100, letters = display.letters * 100;
     desk.widgets.row("Fine relief");
@@ -249,7 +267,7 @@ void display_panel(Desk& desk, const Facts& facts, Actions& actions) {
     Display display = facts.display;
     bool changed = colours(desk, facts, display);
     if (facts.scenario.flow) changed |= flow(desk, display);
-    changed |= picture(desk, display);
+    changed |= picture(desk, facts, display);
     changed |= quality(desk, display);
     changed |= sun(desk, facts, display);
     camera(desk, facts, actions);

@@ -27,6 +27,7 @@
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
 #include "game/scene/scenario.h"
+#include "game/words/language.h"
 #include "sim/world/state.h"
 
 namespace game::ui {
@@ -184,14 +185,15 @@ struct Facts {
     bool is_bare() const {
         return game::is_bare(scenario, state) && !scenario.goal && !looks_back() && !timeline.watches;
     }
-    std::string_view recording;            // file that is being written; empty if none
-    std::string_view renderer;             // GL's name
-    std::string_view sound_fault = {};     // why nothing is heard; empty if something can be
-    double now_s = 0;                      // screen's clock
-    ImageSize image = {};                  // of the world, as last drawn
-    std::optional<double> sharing = {};    // 0 to 1, how much of the page of a shared slide is done
-    std::optional<double> filming = {};    // 0 to 1, how much of a film is done
-    bool making_challenge = false;         // of the slide, in the background
+    std::string_view recording;                      // file that is being written; empty if none
+    std::string_view renderer;                       // GL's name
+    std::string_view sound_fault = {};               // why nothing is heard; empty if something can be
+    std::span<const LanguageChoice> languages = {};  // English first
+    double now_s = 0;                                // screen's clock
+    ImageSize image = {};                            // of the world, as last drawn
+    std::optional<double> sharing = {};              // 0 to 1, how much of the page of a shared slide is done
+    std::optional<double> filming = {};              // 0 to 1, how much of a film is done
+    bool making_challenge = false;                   // of the slide, in the background
     bool may_try = false;                  // a recording of a challenge was opened, which can be tried
     bool slide_ended = false;              // it has come to rest, and was not shared yet
     const Guide* guide = nullptr;          // none: nobody is led

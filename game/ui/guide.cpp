@@ -5,6 +5,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 // The first minute: a slide to watch, then hints for the first steps, one at a time.
 
@@ -19,8 +20,8 @@ struct Words {
 Words words_of(Guide::Step step, const Keys& keys) {
     Words words{"", {}};
     const auto say = [&](const char* heading, const char* format, const std::string& key) {
-        words.heading = heading;
-        std::snprintf(words.text.data(), words.text.size(), format, key.c_str());
+        words.heading = tr(heading);
+        std::snprintf(words.text.data(), words.text.size(), tr(format), key.c_str());
     };
     switch (step) {
         case Guide::Step::kBlast:
@@ -57,12 +58,12 @@ void place_to_click(Desk& desk, glm::dvec2 at, double now_s) {
     list.AddCircle(middle, radius, faded(kWarning, share), 0, em * 0.18f);  // white would be lost on snow
     list.AddCircleFilled(middle, em * 0.32f, kNoticePlate);
     list.AddCircleFilled(middle, em * 0.24f, kWarning);
-    constexpr const char* kSay = "Try here";
-    const ImVec2 size = ImGui::CalcTextSize(kSay), from{middle.x - size.x / 2, middle.y + em * 1.2f};
+    const char* const say = tr("Try here");
+    const ImVec2 size = ImGui::CalcTextSize(say), from{middle.x - size.x / 2, middle.y + em * 1.2f};
     list.AddRectFilled({from.x - em * 0.5f, from.y - em * 0.2f},
                        {from.x + size.x + em * 0.5f, from.y + size.y + em * 0.2f}, kNoticePlate, em * 0.3f);
-    list.AddText(from, kText, kSay);
-    desk.widgets.note(kSay, from, {from.x + size.x, from.y + size.y});
+    list.AddText(from, kText, say);
+    desk.widgets.note("Try here", from, {from.x + size.x, from.y + size.y});
 }
 
 // A line on a plate above the lower edge.
@@ -97,16 +98,16 @@ void opening(Desk& desk, const Facts& facts) {
     const auto shown_s = static_cast<float>(*facts.opening_s);
     const float strength = std::clamp((kTitleStays - shown_s) / kFades, 0.f, 1.f);
     if (strength > 0) title(desk, strength);
-    std::array<char, 96> text;
+    std::array<char, 160> text;
     std::array<char, 40> volume;
     if (shown_s > kTitleStays + kFades && facts.state.ledger.rolling > 0) {
         const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
         std::snprintf(text.data(), text.size(),
-                      "%s of snow on the move. It began with a few blasts on the ridge.",
+                      tr("%s of snow on the move. It began with a few blasts on the ridge."),
                       write_volume(volume, static_cast<double>(facts.state.ledger.rolling) * quantum));
         low_line(desk, text.data());
     } else if (shown_s > kSkipFrom) {
-        low_line(desk, "Press any key to play");
+        low_line(desk, tr("Press any key to play"));
     }
     desk.widgets.note("Couloir", {0, 0}, desk.size);
 }
@@ -130,7 +131,7 @@ void bare_ground(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(CoverGround{kCover});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::Text("or pour some: tool %s.", name_of(facts.keys, Tool::kPour).c_str());
+    ImGui::Text(tr("or pour some: tool %s."), name_of(facts.keys, Tool::kPour).c_str());
     desk.lower_edge = ImGui::GetWindowPos().y;
     desk.widgets.keep_window_clear("Cover");
     ImGui::End();

@@ -5,6 +5,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -21,13 +22,13 @@ class Table {
 
     void cap(const char* name) {
         const float em = desk_.em(), small = desk_.widgets.letters.small->FontSize;
-        const ImVec2 text = desk_.widgets.letters.small->CalcTextSizeA(small, 1e6f, 0, name);
+        const ImVec2 text = desk_.widgets.letters.small->CalcTextSizeA(small, 1e6f, 0, tr(name));
         const ImVec2 at = ImGui::GetCursorScreenPos(), size{text.x + em * 0.7f, em * kCapHeight};
         ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, kControl, em * 0.25f);
         list.AddRect(at, {at.x + size.x, at.y + size.y}, kLine, em * 0.25f);
         list.AddText(desk_.widgets.letters.small, small, {at.x + em * 0.35f, at.y + (size.y - small) / 2},
-                     kText, name);
+                     kText, tr(name));
         ImGui::Dummy(size);
         std::array<char, 32> label;
         std::snprintf(label.data(), label.size(), "key %s", name);
@@ -40,7 +41,8 @@ class Table {
         const float lower = (desk_.em() * kCapHeight - ImGui::GetTextLineHeight()) / 2;
         ImGui::SetCursorScreenPos({from_.x + label_width_, from_.y + lower});
         ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+        const std::string_view words = tr(text);
+        ImGui::TextUnformatted(words.data(), words.data() + words.size());
         ImGui::PopTextWrapPos();
         desk_.widgets.note(text);
     }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "game/ui/menu_pages.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr float kCapWidth = 7.5f, kTwoColumnsOfKeys = 50;  // em
 
 std::string label_of(const Keys& keys, Chord chord) {
-    return chord.key == Key::kNone ? "no key" : name_of(keys.layout, chord.key, chord.with);
+    return chord.key == Key::kNone ? tr("no key") : name_of(keys.layout, chord.key, chord.with);
 }
 
 void bind(Actions& actions, std::size_t row, Chord chord) {
@@ -46,7 +47,7 @@ void head(Desk& desk, const Facts& facts, Actions& actions) {
             desk.menu.show(Menu::Page::kPad);
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("Click a key, then press the one that it shall be.");
+        ImGui::TextUnformatted(tr("Click a key, then press the one that it shall be."));
         return;
     }
     const Chord before = map.at(*choice.row);
@@ -67,8 +68,8 @@ void head(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
     ImGui::AlignTextToFramePadding();
-    const std::string_view meaning = map.meaning(*other);
-    ImGui::Text("%s is taken: %.*s", label_of(facts.keys, *choice.got).c_str(),
+    const std::string_view meaning = tr(map.meaning(*other));
+    ImGui::Text(tr("%s is taken: %.*s"), label_of(facts.keys, *choice.got).c_str(),
                 static_cast<int>(meaning.size()), meaning.data());
     ImGui::PopStyleColor();
     desk.widgets.note("Conflict");
@@ -99,7 +100,7 @@ void row(Desk& desk, std::size_t at, const Facts& facts, Actions& actions) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(from + (kCapWidth + 2.4f) * desk.em());
     ImGui::AlignTextToFramePadding();
-    const std::string_view meaning = map.meaning(at);
+    const std::string_view meaning = tr(map.meaning(at));
     const bool lost = map.at(at).key == Key::kNone;
     ImGui::PushStyleColor(ImGuiCol_Text, lost ? kWarning : kText);
     ImGui::PushTextWrapPos(0);

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "game/ui/graph.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -91,7 +92,7 @@ void swatch(Desk& desk, ImU32 colour, const char* word) {
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, 0.2f * side);
     ImGui::Dummy({side, high});
     ImGui::SameLine(0, 0.35f * desk.em());
-    desk.widgets.dim("%s", word);
+    desk.widgets.dim("%s", tr(word));
 }
 
 // At the cursor, or of the whole line.
@@ -102,7 +103,7 @@ void tell_section(Desk& desk, const CrossSection& section, const Profile& profil
     if (!pointed) {
         const double fall = points.front().ground - points.back().ground;
         desk.widgets.dim("Length %s, %s %s, on average %.0f°", write_number(length, "%.0f m", profile.length),
-                         fall < 0 ? "rise" : "fall", write_number(height, "%.0f m", std::abs(fall)),
+                         fall < 0 ? tr("rise") : tr("fall"), write_number(height, "%.0f m", std::abs(fall)),
                          glm::degrees(std::atan(std::abs(fall) / profile.length)));
         return;
     }

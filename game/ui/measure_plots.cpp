@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "game/ui/graph.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -41,7 +42,7 @@ template <class Value>
 void plot_title(Desk& desk, const Facts& facts, const Plot& plot, const Graph& graph, const Value& value) {
     ImFont* const letters = desk.widgets.letters.small;
     const float edge = 0.35f * desk.em(), y = graph.top() + 0.2f * desk.em();
-    graph.list().AddText(letters, letters->FontSize, {graph.left() + edge, y}, kDimText, plot.name);
+    graph.list().AddText(letters, letters->FontSize, {graph.left() + edge, y}, kDimText, tr(plot.name));
     const Sample* const at = sample_at(facts, desk.pointed_s.value_or(seconds_of(facts, facts.state.tick)));
     if (!at) return;
     std::array<char, 40> text;
@@ -106,7 +107,7 @@ using HouseName = std::array<char, 24>;
 
 // "House 3"
 const char* write_house(HouseName& text, std::size_t house) {
-    std::snprintf(text.data(), text.size(), "House %zu", house + 1);
+    std::snprintf(text.data(), text.size(), tr("House %zu"), house + 1);
     return text.data();
 }
 
@@ -137,9 +138,9 @@ void tell_house(Desk& desk, const Facts& facts, std::size_t house) {
     const sim::Thing& thing = facts.state.things->list[*at.thing];
     desk.widgets.dim("%s: greatest load %.1f kPa, strength %.0f kPa, %s", name.data(),
                      static_cast<double>(thing.load) / 1000, thing.strength,
-                     thing.destroyed() ? "destroyed"
-                     : thing.damaged() ? "damaged"
-                                       : "intact");
+                     tr(thing.destroyed() ? "destroyed"
+                        : thing.damaged() ? "damaged"
+                                          : "intact"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "game/controls/key_map.h"
 #include "game/ui/menu_pages.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -57,7 +58,7 @@ void ask_for_pictures(Desk& desk, const std::vector<Catalogue::Entry>& scenes) {
 
 // The note under a button.
 struct MenuNote {
-    std::array<char, 96> text{};
+    std::array<char, 160> text{};
 };
 
 MenuNote note_of(const Item& item, const Facts& facts) {
@@ -65,19 +66,19 @@ MenuNote note_of(const Item& item, const Facts& facts) {
     const auto& scenes = facts.catalogue.scenes;
     if (item.page == Menu::Page::kChallenges) {
         const Ladder ladder = ladder_of(scenes);
-        std::snprintf(note.text.data(), note.text.size(), "%d of %d won", ladder.won, ladder.challenges);
+        std::snprintf(note.text.data(), note.text.size(), tr("%d of %d won"), ladder.won, ladder.challenges);
     } else if (item.page == Menu::Page::kFreePlay) {
-        std::snprintf(note.text.data(), note.text.size(), "%d mountains",
+        std::snprintf(note.text.data(), note.text.size(), tr("%d mountains"),
                       static_cast<int>(
                           std::ranges::count(scenes, Catalogue::Kind::kMountain, &Catalogue::Entry::kind)));
     } else if (item.page == Menu::Page::kHill) {
-        std::snprintf(note.text.data(), note.text.size(), "your own terrain and worlds");
+        std::snprintf(note.text.data(), note.text.size(), tr("your own terrain and worlds"));
     } else if (item.page == Menu::Page::kWatch) {
-        std::snprintf(note.text.data(), note.text.size(), "slides that ship, and yours");
+        std::snprintf(note.text.data(), note.text.size(), tr("slides that ship, and yours"));
     } else if (item.page == Menu::Page::kKeys) {
-        std::snprintf(note.text.data(), note.text.size(), "what each key does; change them");
+        std::snprintf(note.text.data(), note.text.size(), tr("what each key does; change them"));
     } else {
-        std::snprintf(note.text.data(), note.text.size(), "picture, sound, text size");
+        std::snprintf(note.text.data(), note.text.size(), tr("picture, sound, text size"));
     }
     return note;
 }
@@ -151,7 +152,7 @@ void page_window(Desk& desk, const Facts& facts, float left, Actions& actions) {
     if (desk.widgets.icon_button("Back", Icon::kLeft, "Goes back.")) desk.menu.back();
     ImGui::SameLine(0, em);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(title_of(desk.menu.page));
+    ImGui::TextUnformatted(tr(title_of(desk.menu.page)));
     ImGui::Separator();
     contents(desk, facts, actions);
     desk.widgets.note("Page of the menu", ImGui::GetWindowPos(),

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "game/analysis/score.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -66,17 +67,17 @@ void cards(Desk& desk, const char* heading, Kind kind, const Catalogue::Entry* c
 
 // What a person should know of a challenge before it begins.
 void facts_of_challenge(Desk& desk, const Catalogue::Entry& entry, const Facts& facts) {
-    std::array<char, 96> text;
+    std::array<char, 160> text;
     const auto& scenes = facts.catalogue.scenes;
     if (entry.difficulty > 0)
-        desk.widgets.fact("Difficulty", "%s", kDifficulties[static_cast<std::size_t>(entry.difficulty)]);
+        desk.widgets.fact("Difficulty", "%s", tr(kDifficulties[static_cast<std::size_t>(entry.difficulty)]));
     if (entry.best)
         desk.widgets.fact("Your best", "%s, %s",
                           write_number(text, "%.0f", static_cast<double>(entry.best->score)),
-                          medal_name(entry.best->medal));
+                          tr(medal_name(entry.best->medal)));
     const auto harder = std::ranges::find(scenes, entry.name, &Catalogue::Entry::harder_than);
     if (harder != scenes.end() && waits_for(*harder, facts))
-        desk.widgets.fact("Gold opens", "%s", harder->title.c_str());
+        desk.widgets.fact("Gold opens", "%s", tr(harder->title.c_str()));
 }
 
 // What is chosen, if anything, with the button that begins it.
@@ -85,11 +86,12 @@ void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actio
     const Catalogue::Entry& entry = *chosen;
     picture_and_title(desk, picture_of_scene(desk, entry), entry.title.c_str());
     std::array<char, 512> text;
-    if (!entry.about.empty()) desk.widgets.plain("%s", write_with_volumes(text, entry.about));
+    if (!entry.about.empty())
+        desk.widgets.plain("%s", write_with_volumes(text, tr(std::string_view(entry.about))));
     desk.widgets.note("About");
     if (entry.kind == Kind::kChallenge) facts_of_challenge(desk, entry, facts);
     const Catalogue::Entry* const other = waits_for(entry, facts);
-    if (other) desk.widgets.plain("Opens with gold in “%s”.", other->title.c_str());
+    if (other) desk.widgets.plain("Opens with gold in “%s”.", tr(other->title.c_str()));
     ImGui::Dummy({0, desk.em() * 0.3f});
     ImGui::BeginDisabled(other != nullptr);
     if (desk.widgets.button("Start", kStarts, true, ImGui::GetContentRegionAvail().x))
@@ -122,7 +124,7 @@ void picture_and_title(Desk& desk, const std::optional<ScenePictures::Part>& pic
     const float width = ImGui::GetContentRegionAvail().x;
     if (picture) ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
     ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-    desk.widgets.plain("%s", title);
+    desk.widgets.plain("%s", tr(title));
     ImGui::PopStyleColor();
 }
 
@@ -157,8 +159,8 @@ const char* write_recording(std::span<char> text, const Catalogue::Entry& record
         return text.data();
     }
     const std::string scene = recording.name.substr(static_cast<std::size_t>(length));
-    std::snprintf(text.data(), text.size(), "%s, %d %s %02d:%02d", title_in(catalogue.scenes, scene), day,
-                  kMonths[static_cast<std::size_t>(month - 1)], hour, minute);
+    std::snprintf(text.data(), text.size(), tr("%s, %d %s %02d:%02d"), tr(title_in(catalogue.scenes, scene)),
+                  day, tr(kMonths[static_cast<std::size_t>(month - 1)]), hour, minute);
     return text.data();
 }
 

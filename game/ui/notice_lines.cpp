@@ -4,6 +4,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 #include "sim/world/ledger.h"
 
 // Notices and the first hint, drawn over the image. They are not windows, so the mouse passes through them.
@@ -57,7 +58,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
     float bottom = (beside ? desk.size.y : desk.lower_edge) - margin;
     if (facts.sharing && !warnings_only) {
         std::array<char, 64> text;
-        std::snprintf(text.data(), text.size(), "Sharing this slide: %3.0f %% of its page",
+        std::snprintf(text.data(), text.size(), tr("Sharing this slide: %3.0f %% of its page"),
                       100 * *facts.sharing);
         const Line line{text.data(), kAccent, 1, room};
         const ImVec2 size = size_of(desk, line), from{right - margin - size.x, bottom - size.y};
@@ -71,7 +72,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
         const auto strength = static_cast<float>(Notices::strength(notice, facts.now_s));
         if (strength <= 0 || (warnings_only && !warning)) continue;
         std::array<char, 512> text, sentence;
-        std::snprintf(text.data(), text.size(), notice.times > 1 ? "%s (%d times)" : "%s",
+        std::snprintf(text.data(), text.size(), notice.times > 1 ? tr("%s (%d times)") : "%s",
                       write_with_volumes(sentence, notice.sentence), notice.times);
         const Line line{text.data(), warning ? kWarning : kAccent, strength,
                         std::min(24 * em, room - 2 * margin - 2.5f * em)};
@@ -94,12 +95,12 @@ void hint(Desk& desk, const Facts& facts) {
     const std::string keys = name_of(facts.keys, Verb::kToggleHelp);
     if (facts.scenario.flow)
         std::snprintf(text.data(), text.size(),
-                      "Flow demo: press %s to change its speeds, %s to show all keys.",
+                      tr("Flow demo: press %s to change its speeds, %s to show all keys."),
                       name_of(facts.keys, Verb::kToggleDisplay).c_str(), keys.c_str());
     else
         std::snprintf(text.data(), text.size(),
-                      "Hold the left button on the terrain to %s. Press %s to show all keys.",
-                      facts.deed.purpose, keys.c_str());
+                      tr("Hold the left button on the terrain to %s. Press %s to show all keys."),
+                      tr(facts.deed.purpose), keys.c_str());
     const Line line{text.data(), kAccent, 1, desk.size.x - 4 * desk.em()};
     const ImVec2 size = size_of(desk, line);
     const ImVec2 from{(desk.size.x - size.x) / 2, desk.time_bar_top - desk.margin() - size.y};
@@ -116,20 +117,21 @@ void stroke_note(Desk& desk, const Facts& facts) {
     const StrokeNote& note = *facts.stroke;
     const float em = desk.em();
     const ImVec2 at{static_cast<float>(note.cursor.x), static_cast<float>(note.cursor.y)};
-    std::array<char, 96> text{};
+    std::array<char, 160> text{};
     std::array<char, 40> used{}, left{};
     if (note.left_alone)
-        std::snprintf(text.data(), text.size(), "Left alone: slope outside %.0f° to %.0f°",
+        std::snprintf(text.data(), text.size(), tr("Left alone: slope outside %.0f° to %.0f°"),
                       facts.brush.least_slope, facts.brush.most_slope);
     else if (note.length && *note.length >= 1)
         std::snprintf(text.data(), text.size(), "%.0f m", *note.length);
     else if (note.earth && *note.earth < 0)
-        std::snprintf(text.data(), text.size(), "%s of earth given back", write_volume(used, -*note.earth));
+        std::snprintf(text.data(), text.size(), tr("%s of earth given back"),
+                      write_volume(used, -*note.earth));
     else if (note.earth && note.earth_left)
-        std::snprintf(text.data(), text.size(), "%s of earth, %s left", write_volume(used, *note.earth),
+        std::snprintf(text.data(), text.size(), tr("%s of earth, %s left"), write_volume(used, *note.earth),
                       write_volume(left, *note.earth_left));
     else if (note.earth)
-        std::snprintf(text.data(), text.size(), "%s of earth", write_volume(used, *note.earth));
+        std::snprintf(text.data(), text.size(), tr("%s of earth"), write_volume(used, *note.earth));
     if (text[0] == 0) return;
     const Line line{text.data(), kAccent, 1, 24 * em};
     const ImVec2 size = size_of(desk, line);

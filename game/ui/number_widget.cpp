@@ -3,6 +3,7 @@
 
 #include "game/base/number.h"
 #include "game/ui/widgets.h"
+#include "game/words/words.h"
 
 // The widget for a typed number.
 
@@ -32,7 +33,7 @@ Typed Widgets::typed(std::string_view was) {
 bool Widgets::usual_mark(const Number& number) {
     std::array<char, 64> label, text;
     std::snprintf(label.data(), label.size(), "%s: default", number.label);
-    std::snprintf(text.data(), text.size(), "Resets to the default, %.4g %s.", number.usual, number.unit);
+    std::snprintf(text.data(), text.size(), tr("Resets to the default, %.4g %s."), number.usual, number.unit);
     const float side = ImGui::GetFrameHeight();
     const bool pressed = ImGui::InvisibleButton("##usual", {side, side});
     const ImVec2 from = ImGui::GetItemRectMin();

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -38,7 +39,7 @@ void build(Desk& desk, Panel panel, const Facts& facts, Actions& actions) {
 void header(Desk& desk, const PanelInfo& info) {
     const float side = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(info.title);
+    ImGui::TextUnformatted(tr(info.title));
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side * 1.2f);
     char label[32];
     std::snprintf(label, sizeof label, "Close %s", info.title);

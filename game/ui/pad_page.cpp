@@ -4,6 +4,7 @@
 #include <array>
 
 #include "game/ui/menu_pages.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -113,9 +114,9 @@ void callouts(Desk& desk, std::span<const Callout> all, ImVec2 from, ImVec2 size
     ImDrawList& list = *ImGui::GetWindowDrawList();
     float top = from.y;
     for (const Callout& callout : all) {
-        const std::string_view meaning = meaning_of(callout.name);
-        list.AddText(desk.widgets.letters.small, small, {from.x, top}, kAccent, callout.name.data(),
-                     callout.name.data() + callout.name.size());
+        const std::string_view name = tr(callout.name), meaning = tr(meaning_of(callout.name));
+        list.AddText(desk.widgets.letters.small, small, {from.x, top}, kAccent, name.data(),
+                     name.data() + name.size());
         list.AddText(desk.widgets.letters.usual, em, {from.x, top + small + em * 0.1f}, kText, meaning.data(),
                      meaning.data() + meaning.size(), size.x);
         desk.widgets.note(callout.name, {from.x, top}, {from.x + size.x, top + each});
@@ -127,10 +128,9 @@ void callouts(Desk& desk, std::span<const Callout> all, ImVec2 from, ImVec2 size
 }  // namespace
 
 void pad_page(Desk& desk, const Facts& facts) {
-    desk.widgets.dim("%s", facts.gamepad
-                               ? "Buttons have the names of an Xbox controller; others have theirs at "
-                                 "the same places."
-                               : "No gamepad is connected. Plug one in at any time.");
+    desk.widgets.dim(facts.gamepad ? "Buttons have the names of an Xbox controller; others have theirs at "
+                                     "the same places."
+                                   : "No gamepad is connected. Plug one in at any time.");
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x,
                 height = std::max(ImGui::GetContentRegionAvail().y - em, 20 * em);
     const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -46,12 +47,12 @@ void pad_wheel(Desk& desk, const Facts& facts) {
         if (on) list.AddCircleFilled(at, kChosenRadius * em, kAccent);
         const Tool* const tool = std::get_if<Tool>(&choices[i].does);
         if (tool) draw_icon(list, info_of(*tool).plain->icon, {at.x, at.y - em * 0.5f}, em * 1.3f, colour);
-        centred(list, small, {at.x, at.y + (tool ? em * 0.9f : 0)}, colour, choices[i].label);
+        centred(list, small, {at.x, at.y + (tool ? em * 0.9f : 0)}, colour, tr(choices[i].label));
         desk.widgets.note(choices[i].label, {at.x - em, at.y - em}, {at.x + em, at.y + em});
     }
     centred(list, usual, {middle.x, middle.y - em * 0.3f}, chosen ? kText : kDimText,
-            chosen ? choices[*chosen].label : std::string_view("Point with a stick"));
-    centred(list, small, {middle.x, middle.y + em * 0.9f}, kDimText, "let go to take it");
+            tr(chosen ? choices[*chosen].label : std::string_view("Point with a stick")));
+    centred(list, small, {middle.x, middle.y + em * 0.9f}, kDimText, tr("let go to take it"));
 }
 
 }  // namespace game::ui

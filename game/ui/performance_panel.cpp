@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 #include "sim/step.h"
 
 namespace game::ui {
@@ -93,7 +94,7 @@ void stage_cell(Desk& desk, const char* name, ImU32 colour, double ms, bool left
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, colour, side * 0.2f);
     ImGui::Dummy({side, ImGui::GetTextLineHeight()});
     ImGui::SameLine();
-    ImGui::TextUnformatted(name);
+    ImGui::TextUnformatted(tr(name));
     desk.widgets.note(name);
     std::array<char, 24> text;
     std::snprintf(text.data(), text.size(), "%.2f ms", ms);
@@ -124,7 +125,7 @@ void performance_panel(Desk& desk, const Facts& facts) {
     widgets.fact("Ticks per frame", "%.1f", times.ticks_per_frame());
     widgets.heading("Now");
     widgets.fact("Image", "%d × %d, %s", facts.image.width, facts.image.height,
-                 facts.image.fine ? "2 × 2 samples" : "one sample");
+                 tr(facts.image.fine ? "2 × 2 samples" : "one sample"));
     widgets.fact("Sub-steps per tick", "%d", sim::substeps_of(facts.state).count);
     widgets.fact("Grid", "%d × %d squares", grid.nx - 1, grid.ny - 1);
     ImGui::PopStyleVar();

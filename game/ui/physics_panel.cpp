@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 #include "sim/world/params.h"
 
 namespace game::ui {
@@ -72,8 +73,8 @@ std::array<char, 32> label_of(const sim::ParamInfo& info) {
 void refuse(Desk& desk, const sim::ParamInfo& info, float kept, std::string_view sentence) {
     const std::array<char, 32> label = label_of(info);
     const char* unit = unit_of(info);
-    std::snprintf(desk.refusal.data(), desk.refusal.size(), "Not set: %.*s. %s stays %.4g%s%s.",
-                  static_cast<int>(sentence.size()), sentence.data(), label.data(), shown(info, kept),
+    std::snprintf(desk.refusal.data(), desk.refusal.size(), tr("Not set: %.*s. %s stays %.4g%s%s."),
+                  static_cast<int>(sentence.size()), sentence.data(), tr(label.data()), shown(info, kept),
                   *unit != 0 ? " " : "", unit);
 }
 
@@ -82,10 +83,11 @@ void refuse_typed(Desk& desk, const sim::ParamInfo& info, float kept, const doub
     std::array<char, 160> sentence;
     const std::array<char, 32> label = label_of(info);
     if (typed)
-        std::snprintf(sentence.data(), sentence.size(), "%s must be from %.4g to %.4g %s, not %.4g",
-                      label.data(), shown(info, info.least), shown(info, info.most), unit_of(info), *typed);
+        std::snprintf(sentence.data(), sentence.size(), tr("%s must be from %.4g to %.4g %s, not %.4g"),
+                      tr(label.data()), shown(info, info.least), shown(info, info.most), unit_of(info),
+                      *typed);
     else
-        std::snprintf(sentence.data(), sentence.size(), "%s must be a number", label.data());
+        std::snprintf(sentence.data(), sentence.size(), tr("%s must be a number"), tr(label.data()));
     refuse(desk, info, kept, sentence.data());
 }
 
@@ -103,27 +105,28 @@ void set(Desk& desk, const sim::Params& params, std::size_t param, float value, 
 
 void write_tooltip(std::span<char> text, const sim::ParamInfo& info, float value, sim::Model model) {
     const auto length = [](std::string_view part) { return static_cast<int>(part.size()); };
+    const std::string_view meaning = tr(info.meaning);
     const double least = shown(info, info.least), most = shown(info, info.most);
     const char* unit = unit_of(info);
-    const int used = std::snprintf(text.data(), text.size(), "%.*s: %.*s; from %.4g to %.4g%s%s.",
-                                   length(info.name), info.name.data(), length(info.meaning),
-                                   info.meaning.data(), least, most, *unit != 0 ? " " : "", unit);
+    const int used = std::snprintf(text.data(), text.size(), tr("%.*s: %.*s; from %.4g to %.4g%s%s."),
+                                   length(info.name), info.name.data(), length(meaning), meaning.data(),
+                                   least, most, *unit != 0 ? " " : "", unit);
     if (used <= 0 || static_cast<std::size_t>(used) >= text.size()) return;
     const std::span<char> rest = text.subspan(static_cast<std::size_t>(used));
     // Else it seems wrong wherever steeper ground stays.
     const bool anchored = info.name == "start_slope" && model == sim::Model::kBcreInertial;
     if (is_slope(info))
-        std::snprintf(rest.data(), rest.size(), " Its tangent is %.4g.%s", static_cast<double>(value),
-                      anchored ? " Natural ground that began steeper holds: see anchor gain." : "");
+        std::snprintf(rest.data(), rest.size(), tr(" Its tangent is %.4g.%s"), static_cast<double>(value),
+                      anchored ? tr(" Natural ground that began steeper holds: see anchor gain.") : "");
     else if (!editable(info))
-        std::snprintf(rest.data(), rest.size(), " Fixed by the scene.");
+        std::snprintf(rest.data(), rest.size(), tr(" Fixed by the scene."));
 }
 
 void number(Desk& desk, const Facts& facts, std::size_t param, Actions& actions) {
     const sim::ParamInfo& info = sim::kParams[param];
     const float now = facts.state.params.*info.value, usual = facts.scenario.params.*info.value;
     const std::array<char, 32> label = label_of(info);
-    std::array<char, 320> tooltip;
+    std::array<char, 480> tooltip;
     write_tooltip(tooltip, info, now, facts.state.params.model);
     const Typed typed = desk.widgets.number(
         {label.data(), shown(info, now), shown(info, usual), unit_of(info), tooltip.data(), editable(info)});

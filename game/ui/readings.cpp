@@ -7,6 +7,7 @@
 
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -65,7 +66,7 @@ void things(Desk& desk, const Reading& reading) {
     std::snprintf(name.data(), name.size(), "%c%.*s", std::toupper(static_cast<unsigned char>(kind.front())),
                   static_cast<int>(kind.size() - 1), kind.data() + 1);
     if (thing.kind != sim::ThingKind::kRoad) {
-        widgets.fact(name.data(), "%s", state_of(thing));
+        widgets.fact(name.data(), "%s", tr(state_of(thing)));
         widgets.fact("Greatest load", "%.1f of %.0f kPa", static_cast<double>(thing.load) / 1000,
                      thing.strength);
     } else {
@@ -79,7 +80,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Height", "%.1f m", reading.height);
     slope(desk, facts, reading);
     if (reading.aspect_deg)
-        widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, compass_point(*reading.aspect_deg));
+        widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, tr(compass_point(*reading.aspect_deg)));
     else
         widgets.fact("Faces", "level");
     widgets.fact("Standing", "%.2f m", reading.standing);
@@ -87,7 +88,7 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     if (reading.rolling > 0) widgets.fact("Thickness", "%.2f m", reading.thickness);
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
-                     title_in(facts.catalogue.materials, facts.scenario.lower->material));
+                     tr(title_in(facts.catalogue.materials, facts.scenario.lower->material)));
     widgets.fact("Speed on slope", "%.1f m/s", reading.speed_slope);
     widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
     if (reading.pressure) widgets.fact("Pressure", "%.1f kPa", *reading.pressure);

@@ -4,6 +4,7 @@
 
 #include "game/analysis/score.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 
 namespace game::ui {
 namespace {
@@ -25,8 +26,8 @@ void recording_file(Desk& desk, std::string_view path) {
     const std::string_view name = path.substr(path.rfind('/') + 1);
     desk.widgets.fact("Recording", "%.*s", static_cast<int>(name.size()), name.data());
     std::array<char, 512> text;
-    std::snprintf(text.data(), text.size(), "This session is recorded in %.*s", static_cast<int>(path.size()),
-                  path.data());
+    std::snprintf(text.data(), text.size(), tr("This session is recorded in %.*s"),
+                  static_cast<int>(path.size()), path.data());
     desk.widgets.tooltip(text.data());
 }
 
@@ -40,9 +41,10 @@ void what_is_loaded(Desk& desk, const Facts& facts) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, desk.em() * 0.12f});
     widgets.fact("Terrain", "%s", scenario.terrain.c_str());
     if (!scenario.licence.empty()) widgets.fact("Licence", "%s", scenario.licence.c_str());
-    widgets.fact("Material", "%s", title_in(facts.catalogue.materials, scenario.material));
+    widgets.fact("Material", "%s", tr(title_in(facts.catalogue.materials, scenario.material)));
     if (scenario.lower)
-        widgets.fact("Lower material", "%s", title_in(facts.catalogue.materials, scenario.lower->material));
+        widgets.fact("Lower material", "%s",
+                     tr(title_in(facts.catalogue.materials, scenario.lower->material)));
     widgets.fact("Model", "%s", name_of(scenario.params.model));
     widgets.fact("Grid", "%d × %d squares of %.4g m", grid.nx - 1, grid.ny - 1, dx);
     widgets.fact("Extent", "%.4g × %.4g m", (grid.nx - 1) * dx, (grid.ny - 1) * dx);
@@ -89,12 +91,12 @@ void best_runs_of_challenge(Desk& desk, const Facts& facts, Actions& actions) {
     const auto name = [&](std::size_t i) {
         const BestRun& run = facts.best_runs[i];
         std::snprintf(text.data(), text.size(), "%lld, %s, %.16s", static_cast<long long>(run.score),
-                      medal_name(run.medal), run.when.c_str());
+                      tr(medal_name(run.medal)), run.when.c_str());
         return text.data();
     };
     std::array<char, 32> best{};
     std::snprintf(best.data(), best.size(), "%lld, %s", static_cast<long long>(facts.best_runs.front().score),
-                  medal_name(facts.best_runs.front().medal));
+                  tr(medal_name(facts.best_runs.front().medal)));
     int chosen = -1;
     desk.widgets.row("Best runs");
     if (desk.widgets.choice(
@@ -164,7 +166,7 @@ void sharing(Desk& desk, const Facts& facts, Actions& actions) {
 }  // namespace
 
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions) {
-    desk.widgets.plain("%s", facts.scenario.title.c_str());
+    desk.widgets.plain("%s", tr(facts.scenario.title.c_str()));
     if (desk.widgets.button("Other scenes", "Shows all scenes, challenges and recordings in the menu.", true,
                             ImGui::GetContentRegionAvail().x))
         actions.emplace_back(Verb::kMenu);

@@ -89,7 +89,7 @@ void head_of_shelf(Desk& desk) {
 void cards_of_shelf(Desk& desk, const std::vector<const Entry*>& all, const Entry* chosen,
                     const Facts& facts) {
     if (all.empty())
-        desk.widgets.dim("Nothing here%s", desk.menu.search[0] ? " has these letters." : " yet.");
+        desk.widgets.dim(desk.menu.search[0] ? "Nothing here has these letters." : "Nothing here yet.");
     CardGrid grid(desk, CardGrid::kTitle);
     for (const Entry* entry : all) {
         grid.next();

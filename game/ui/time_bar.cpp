@@ -5,6 +5,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 #include "sim/world/ledger.h"
 
 namespace game::ui {
@@ -17,8 +18,8 @@ constexpr int kUsual = 3;  // index of 1 ×
 // A button for a verb, with the verb's key in the tooltip.
 bool verb_button(Desk& desk, const Facts& facts, const char* label, Icon icon, Verb verb, const char* text,
                  bool on = false) {
-    std::array<char, 128> tooltip;
-    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(facts.keys, verb).c_str(), text);
+    std::array<char, 192> tooltip;
+    std::snprintf(tooltip.data(), tooltip.size(), "%s: %s", name_of(facts.keys, verb).c_str(), tr(text));
     return desk.widgets.icon_button(label, icon, tooltip.data(), on);
 }
 
@@ -32,16 +33,16 @@ void speed(Desk& desk, const Facts& facts, Actions& actions) {
 }
 
 void undo_and_redo(Desk& desk, const Facts& facts, Actions& actions) {
-    std::array<char, 96> text;
+    std::array<char, 160> text;
     ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_undo == 0);
-    std::snprintf(text.data(), text.size(), "undoes the last action; %zu can be undone.",
+    std::snprintf(text.data(), text.size(), tr("undoes the last action; %zu can be undone."),
                   facts.actions_to_undo);
     if (verb_button(desk, facts, "Undo", Icon::kUndo, Verb::kUndo, text.data()))
         actions.emplace_back(Verb::kUndo);
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(facts.looks_back() || facts.actions_to_redo == 0);
-    std::snprintf(text.data(), text.size(), "redoes what was undone last; %zu can be redone.",
+    std::snprintf(text.data(), text.size(), tr("redoes what was undone last; %zu can be redone."),
                   facts.actions_to_redo);
     if (verb_button(desk, facts, "Redo", Icon::kRedo, Verb::kRedo, text.data()))
         actions.emplace_back(Verb::kRedo);
@@ -89,18 +90,19 @@ struct Pace {
 Pace pace_of(const Facts& facts) {
     Pace pace;
     if (facts.clock.behind()) {
-        std::snprintf(pace.text.data(), pace.text.size(), "only %.1f ×", facts.clock.reached_speed());
+        std::snprintf(pace.text.data(), pace.text.size(), tr("only %.1f ×"), facts.clock.reached_speed());
         pace.colour = kWarning;
     } else if (facts.clock.runs_back() && !facts.clock.paused()) {
-        std::snprintf(pace.text.data(), pace.text.size(), "rewinding");
+        std::snprintf(pace.text.data(), pace.text.size(), tr("rewinding"));
         pace.colour = kAccent;
     } else if (facts.clock.paused()) {
-        std::snprintf(pace.text.data(), pace.text.size(), "paused");
+        std::snprintf(pace.text.data(), pace.text.size(), tr("paused"));
     } else if (sim::at_rest(facts.state)) {
-        std::snprintf(pace.text.data(), pace.text.size(), "at rest");
+        std::snprintf(pace.text.data(), pace.text.size(), tr("at rest"));
     } else if (facts.clock.pace() != 1) {
         std::snprintf(pace.text.data(), pace.text.size(), "%s: %.3g ×",
-                      facts.clock.pace() < 1 ? "slow" : "creep", facts.clock.speed() * facts.clock.pace());
+                      tr(facts.clock.pace() < 1 ? "slow" : "creep"),
+                      facts.clock.speed() * facts.clock.pace());
     }
     return pace;
 }
@@ -123,7 +125,7 @@ void moment(Desk& desk, const Facts& facts) {
     desk.widgets.note("Time");
 
     std::array<char, 32> tick;
-    std::snprintf(tick.data(), tick.size(), "tick %lld", static_cast<long long>(facts.state.tick));
+    std::snprintf(tick.data(), tick.size(), tr("tick %lld"), static_cast<long long>(facts.state.tick));
     const float gap = desk.em() * 0.7f;
     ImGui::SameLine(0, gap);
     if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(tick.data()).x + gap <= pace_from) {
@@ -183,8 +185,8 @@ void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     if (!near) return;
     const auto tick_s = static_cast<double>(facts.state.params.tick_s);
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%s%s%.1f s of %.1f s", mark ? mark->word : "", mark ? ": " : "",
-                  to * tick_s, known * tick_s);
+    std::snprintf(text.data(), text.size(), tr("%s%s%.1f s of %.1f s"), mark ? tr(mark->word) : "",
+                  mark ? ": " : "", to * tick_s, known * tick_s);
     desk.widgets.tooltip(text.data());
 }
 
@@ -197,7 +199,7 @@ void mass(Desk& desk, const Facts& facts) {
         write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
     const bool dug = ledger.dug != 0;
     desk.widgets.dim("standing %s   rolling %s   poured %s%s%s   out %s", text[0].data(), text[1].data(),
-                     text[2].data(), dug ? "   dug " : "", dug ? text[3].data() : "", text[4].data());
+                     text[2].data(), dug ? tr("   dug ") : "", dug ? text[3].data() : "", text[4].data());
     desk.widgets.note("Mass");
     desk.widgets.tooltip(
         "Volume of the standing and rolling layers, and volume poured, dug, and lost over the border.");

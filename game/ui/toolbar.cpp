@@ -5,6 +5,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/ui/panels.h"
+#include "game/words/words.h"
 #include "sim/world/quanta.h"
 #include "sim/world/things.h"
 
@@ -81,8 +82,8 @@ void tools(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow
         ImGui::PushID(static_cast<int>(info.tool));
         const Deed& deed = shown(info, facts);
         std::array<char, 160> text;
-        std::snprintf(text.data(), text.size(), "%s (%s). %s", info.plain->label,
-                      name_of(facts.keys, info.tool).c_str(), info.tooltip);
+        std::snprintf(text.data(), text.size(), "%s (%s). %s", tr(info.plain->label),
+                      name_of(facts.keys, info.tool).c_str(), tr(info.tooltip));
         if (desk.widgets.tool_button(deed.label, deed.icon, key, text.data(), info.tool == facts.brush.tool,
                                      wordless, width))
             actions.emplace_back(info.tool);
@@ -95,7 +96,7 @@ void name_of_tool(Desk& desk, const Facts& facts, Flow& flow) {
     flow.next(kNameWidth * desk.em());
     const float from = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(facts.deed.label);
+    ImGui::TextUnformatted(tr(facts.deed.label));
     desk.widgets.note("Name of the tool");
     ImGui::SameLine(from + kNameWidth * desk.em(), 0);
     ImGui::Dummy({0, 0});
@@ -132,10 +133,12 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     }
     if (changed) actions.emplace_back(SetBrush{brush});
     if (!numbers.empty() || desk.narrow()) return;
-    flow.next(ImGui::CalcTextSize(facts.deed.purpose).x);
+    std::array<char, 160> purpose;
+    std::snprintf(purpose.data(), purpose.size(), tr("Hold the left button to %s"), tr(facts.deed.purpose));
+    flow.next(ImGui::CalcTextSize(purpose.data()).x);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
-    ImGui::Text("Hold the left button to %s", facts.deed.purpose);
+    ImGui::TextUnformatted(purpose.data());
     ImGui::PopStyleColor();
 }
 
@@ -145,9 +148,9 @@ void earth(Desk& desk, const Facts& facts, Flow& flow) {
     if (!things || things->budget < 0 || !takes(facts.deed.kind, &sim::Command::rise)) return;
     const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
     std::array<std::array<char, 40>, 2> volumes;
-    std::array<char, 96> text;
+    std::array<char, 160> text;
     std::snprintf(
-        text.data(), text.size(), "Earth left: %s of %s",
+        text.data(), text.size(), tr("Earth left: %s of %s"),
         write_volume(volumes[0], static_cast<double>(things->budget - sim::earth_used(*things)) * quantum),
         write_volume(volumes[1], static_cast<double>(things->budget) * quantum));
     flow.next(ImGui::CalcTextSize(text.data()).x, desk.em());
@@ -190,7 +193,7 @@ void parts(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
         {{sim::Part::kUpper, &scenario.material}, {sim::Part::kLower, &scenario.lower->material}}};
     for (const auto& [part, material] : materials) {
         const char* title = title_in(facts.catalogue.materials, *material);
-        const float width = ImGui::CalcTextSize(title).x + desk.em();
+        const float width = ImGui::CalcTextSize(tr(title)).x + desk.em();
         flow.next(width, part == sim::Part::kUpper ? 0.7f * desk.em() : 0);
         const bool on = facts.brush.of == part;
         if (!desk.widgets.button(title, "Pours this material.", on, width) || on) continue;
@@ -221,7 +224,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     if (facts.scenario.lower) parts(desk, facts, actions, flow);
     ImGui::EndDisabled();
     if (facts.scenario.lower || desk.narrow()) return;
-    const char* title = title_in(facts.catalogue.materials, facts.scenario.material);
+    const char* title = tr(title_in(facts.catalogue.materials, facts.scenario.material));
     flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
@@ -250,27 +253,27 @@ void panel_buttons(Desk& desk, const Facts& facts, Actions& actions, Flow& flow)
     const float width = width_of_panel_buttons();
     flow.next(width, std::max(2 * desk.em(), flow.left() - width - 1));
     for (const PanelInfo& info : kPanelInfos) {
-        std::array<char, 96> text;
-        std::snprintf(text.data(), text.size(), "%s (%s). %s", info.title,
-                      name_of(facts.keys, info.verb).c_str(), info.tooltip);
+        std::array<char, 160> text;
+        std::snprintf(text.data(), text.size(), "%s (%s). %s", tr(info.title),
+                      name_of(facts.keys, info.verb).c_str(), tr(info.tooltip));
         if (desk.widgets.icon_button(info.title, info.icon, text.data(), desk.panels.is_open(info.panel)))
             desk.panels.toggle(info.panel);
         ImGui::SameLine();
     }
-    std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "Menu (%s). Scenes, challenges, recordings and settings.",
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(), tr("Menu (%s). Scenes, challenges, recordings and settings."),
                   name_of(facts.keys, Verb::kClosePanel).c_str());
     if (desk.widgets.icon_button("Menu", Icon::kMenu, text.data())) actions.emplace_back(Verb::kMenu);
 }
 
 void past(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(facts.timeline.watches ? "Watching a recording (read-only)."
-                                                  : "Looking at the past (read-only).");
+    ImGui::TextUnformatted(tr(facts.timeline.watches ? "Watching a recording (read-only)."
+                                                     : "Looking at the past (read-only)."));
     desk.widgets.note("Watching a recording");
     ImGui::SameLine();
-    std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "%s: continues from this tick in a new recording.",
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(), tr("%s: continues from this tick in a new recording."),
                   name_of(facts.keys, Verb::kTakeOver).c_str());
     if (desk.widgets.button("Continue from here", text.data())) actions.emplace_back(Verb::kTakeOver);
 }

@@ -264,4 +264,11 @@ std::optional<Ui::Place> Ui::find(std::string_view label) const {
                  static_cast<double>(place->to.y - place->from.y)};
 }
 
+std::vector<std::string> Ui::cut() const {
+    std::vector<std::string> words;
+    for (const Places::Place& place : parts_->desk.widgets.places().cut())
+        words.emplace_back(place.label.data());
+    return words;
+}
+
 }  // namespace game::ui

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "game/controls/action.h"
 #include "game/controls/events.h"
@@ -54,6 +56,8 @@ class Ui {
         double x, y, width, height;
     };
     std::optional<Place> find(std::string_view label) const;
+    // For tests: words that had no room where they stood in the last frame.
+    std::vector<std::string> cut() const;
 
   private:
     struct Parts;

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "game/words/words.h"
+
 namespace game::ui {
 namespace {
 
@@ -81,6 +83,14 @@ void Places::note(std::string_view label, ImVec2 from, ImVec2 to) {
     place.to = to;
 }
 
+void Places::note_cut(std::string_view words) {
+    if (cut_ == places_cut_.size()) return;
+    Place& place = places_cut_[cut_++];
+    const std::size_t length = std::min(words.size(), place.label.size() - 1);
+    std::copy_n(words.begin(), length, place.label.begin());
+    place.label[length] = 0;
+}
+
 const Places::Place* Places::find(std::string_view label) const {
     const auto end = places_.rend(), last = end - static_cast<std::ptrdiff_t>(size_);
     const auto found = std::find_if(last, end, [label](const Place& place) {
@@ -97,6 +107,7 @@ void Widgets::begin_frame(double elapsed_s) {
 }
 
 void Widgets::tooltip(const char* text) {
+    text = tr(text);
     if (!text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     const ImVec2 at = ImGui::GetItemRectMin();
     hovered_s_ = at.x == hovered_.x && at.y == hovered_.y ? hovered_s_ + elapsed_s_ : 0;
@@ -179,12 +190,14 @@ bool Widgets::plate(const char* label, ImVec2 size, bool on) {
 }
 
 bool Widgets::button(const char* label, const char* text, bool on, float width) {
-    const ImVec2 size = ImGui::CalcTextSize(label), padding = ImGui::GetStyle().FramePadding;
+    const char* const words = tr(label);
+    const ImVec2 size = ImGui::CalcTextSize(words), padding = ImGui::GetStyle().FramePadding;
     const float wide = width > 0 ? width : size.x + 2 * padding.x;
     const bool pressed = plate(label, {wide, ImGui::GetFrameHeight()}, on);
     const ImVec2 from = ImGui::GetItemRectMin();
     ImGui::GetWindowDrawList()->AddText({from.x + (wide - size.x) / 2, from.y + padding.y},
-                                        alive(colour_on_plate(on)), label);
+                                        alive(colour_on_plate(on)), words);
+    if (size.x > wide) places_.note_cut(words);
     tooltip(text);
     return pressed;
 }
@@ -202,7 +215,7 @@ bool Widgets::icon_button(const char* label, Icon icon, const char* text, bool o
 float Widgets::tool_button_width(const char* label, const char* key, bool narrow) const {
     const float gap = em * 0.45f;
     const float small = letters.small->FontSize;
-    const float word = narrow ? 0 : ImGui::CalcTextSize(label).x + gap;
+    const float word = narrow ? 0 : ImGui::CalcTextSize(tr(label)).x + gap;
     if (key[0] == 0) return em * 0.5f * 2 + em * 0.9f + word;
     return em * 0.6f * 2 + em * 0.9f + gap + word + letters.small->CalcTextSizeA(small, 1e6f, 0, key).x;
 }
@@ -217,7 +230,7 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     draw_icon(list, icon, {x + em * 0.45f, from.y + side / 2}, em * 0.9f, alive(colour_on_plate(on)));
     x += em * 0.9f + gap;
     if (!narrow)
-        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(colour_on_plate(on)), label);
+        list.AddText({x, from.y + ImGui::GetStyle().FramePadding.y}, alive(colour_on_plate(on)), tr(label));
     const float small = letters.small->FontSize;
     x = from.x + width - em * 0.6f - letters.small->CalcTextSizeA(small, FLT_MAX, 0, key).x;
     list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
@@ -235,10 +248,11 @@ bool Widgets::menu_button(const char* label, const char* note, bool on, ImVec2 s
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float top = from.y + (size.y - em - below) / 2;
     list.PushClipRect(from, {from.x + size.x - left / 2, from.y + size.y}, true);
-    list.AddText({from.x + left, top}, alive(colour_on_plate(on)), label);
+    list.AddText({from.x + left, top}, alive(colour_on_plate(on)), tr(label));
+    if (ImGui::CalcTextSize(tr(label)).x > size.x - left * 1.5f) places_.note_cut(tr(label));
     if (below > 0)
         list.AddText(letters.small, small, {from.x + left, top + em + gap},
-                     alive(on ? faded(kAccentText, 0.8f) : kDimText), note);
+                     alive(on ? faded(kAccentText, 0.8f) : kDimText), tr(note));
     list.PopClipRect();
     return pressed;
 }
@@ -258,13 +272,13 @@ bool Widgets::card(const Card& card, ImVec2 size, bool on) {
         draw_icon(list, Icon::kLock, {(from.x + to.x) / 2, from.y + high / 2}, em * 1.6f, alive(kText));
     const ImU32 colour = alive(colour_on_plate(on));
     list.PushClipRect(from, {to.x - pad / 2, to.y}, true);
-    list.AddText(nullptr, 0, {from.x + pad, picture_to.y + pad * 0.6f}, colour, card.label, nullptr,
+    list.AddText(nullptr, 0, {from.x + pad, picture_to.y + pad * 0.6f}, colour, tr(card.label), nullptr,
                  size.x - 2 * pad);
     const float middle = to.y - em * 0.75f;
     if (card.medal >= 0) draw_stars(list, card.medal, {from.x + pad, middle}, em, colour);
     list.AddText(letters.small, small,
                  {from.x + pad + (card.medal >= 0 ? (kStarsWidth + 0.4f) * em : 0), middle - small / 2},
-                 faded(colour, 0.8f), card.note);
+                 faded(colour, 0.8f), tr(card.note));
     list.PopClipRect();
     if (on) list.AddRect(from, to, kAccent, rounding, 0, std::max(2.f, em / 8));
     return pressed;
@@ -274,7 +288,7 @@ bool Widgets::text_field(const char* label, const char* hint, std::span<char> te
     std::array<char, 64> id;
     std::snprintf(id.data(), id.size(), "##%s", label);
     ImGui::SetNextItemWidth(width);
-    const bool ended = ImGui::InputTextWithHint(id.data(), hint, text.data(), text.size(),
+    const bool ended = ImGui::InputTextWithHint(id.data(), tr(hint), text.data(), text.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
     places_.note(label);
     return ended;
@@ -316,7 +330,7 @@ bool Widgets::slider(const char* label, double& value, const Slide& slide, const
     ImGui::SetNextItemWidth(width);
     const ImGuiSliderFlags flags = slide.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     bool changed = ImGui::SliderScalar("##slide", ImGuiDataType_Double, &shown, &slide.least, &slide.most,
-                                       slide.format, flags);
+                                       tr(slide.format), flags);
     places_.note(label);
     if (slide.when_released) changed = ImGui::IsItemDeactivatedAfterEdit();
     if (ImGui::IsItemActive()) {
@@ -335,7 +349,10 @@ bool Widgets::begin_choice(const char* label, const char* shown, const char* tex
     std::array<char, 64> id;  // no PushID: an open list is a window of its own, with other ids
     std::snprintf(id.data(), id.size(), "##%s", label);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
-    const bool open = ImGui::BeginCombo(id.data(), shown);
+    const bool open = ImGui::BeginCombo(id.data(), tr(shown));
+    const float room =
+        ImGui::GetItemRectSize().x - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
+    if (ImGui::CalcTextSize(tr(shown)).x > room) places_.note_cut(tr(shown));
     if (!open) {
         places_.note(label);
         tooltip(text);
@@ -347,7 +364,7 @@ bool Widgets::begin_choice(const char* label, const char* shown, const char* tex
 
 bool Widgets::choice_item(const char* name, int index, bool chosen) {
     ImGui::PushID(index);
-    const bool pressed = ImGui::Selectable(name, chosen);
+    const bool pressed = ImGui::Selectable(tr(name), chosen);
     places_.note(name);
     ImGui::PopID();
     return pressed;
@@ -358,7 +375,8 @@ void Widgets::row(const char* label) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
     ImGui::PushTextWrapPos(from + wide * kLabelShare);
-    ImGui::TextUnformatted(label);
+    ImGui::TextUnformatted(tr(label));
+    if (ImGui::GetItemRectSize().x > wide * kLabelShare) places_.note_cut(tr(label));
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::SameLine(from + wide * kLabelShare);
@@ -368,7 +386,7 @@ void Widgets::heading(const char* text) {
     ImGui::Dummy({0, em * 0.3f});
     ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
     ImGui::PushFont(letters.small);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(tr(text));
     ImGui::PopFont();
     ImGui::PopStyleColor();
 }
@@ -379,7 +397,7 @@ void Widgets::dim(const char* format, ...) {
     ImGui::PushFont(letters.small);
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextV(format, arguments);
+    ImGui::TextV(tr(format), arguments);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
@@ -389,7 +407,7 @@ void Widgets::dim(const char* format, ...) {
 void Widgets::plain(const char* format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    ImGui::TextWrappedV(format, arguments);
+    ImGui::TextWrappedV(tr(format), arguments);
     va_end(arguments);
 }
 
@@ -398,7 +416,7 @@ void Widgets::fact(const char* label, const char* format, ...) {
     va_start(arguments, format);
     row(label);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextV(format, arguments);
+    ImGui::TextV(tr(format), arguments);
     ImGui::PopTextWrapPos();
     places_.note(label);
     va_end(arguments);

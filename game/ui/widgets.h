@@ -22,7 +22,10 @@ class Places {
     };
     static constexpr std::size_t kMost = 320;
 
-    void clear() { size_ = 0; }
+    void clear() { size_ = cut_ = 0; }
+    // Words that have no room where they stand. For tests, which look for such.
+    void note_cut(std::string_view words);
+    std::span<const Place> cut() const { return std::span(places_cut_).first(cut_); }
     // Records ImGui's last item, if its centre is visible.
     void note(std::string_view label);
     void note(std::string_view label, ImVec2 from, ImVec2 to);
@@ -31,7 +34,8 @@ class Places {
 
   private:
     std::array<Place, kMost> places_;
-    std::size_t size_ = 0;
+    std::array<Place, 16> places_cut_;
+    std::size_t size_ = 0, cut_ = 0;
 };
 
 // A rectangle on the screen, px.
@@ -60,7 +64,8 @@ struct Typed {
     double value = 0;
 };
 
-// The kinds of widget used in panels. Each is identified by its label, to the user and to Places, and has a
+// The kinds of widget used in panels. Labels, tooltips and formats are written in English and shown in the language of the
+// window (game/words). Each is identified by its label, to the user and to Places, and has a
 // tooltip of one sentence, which is shown beside the panels and over none of them if there is room.
 class Widgets {
   public:

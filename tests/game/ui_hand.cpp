@@ -21,10 +21,10 @@ UiHand::UiHand() {
     begin_anew({1280, 720, 1});
 }
 
-void UiHand::begin_anew(ScreenSize size) {
+void UiHand::begin_anew(ScreenSize size, const std::optional<std::filesystem::path>& font) {
     ui_.reset();  // ImGui has one context
     screen_.resize(size);
-    ui_.emplace(std::nullopt);
+    ui_.emplace(font);
     settle();
 }
 
@@ -52,6 +52,7 @@ ui::Facts UiHand::facts() const {
             .timeline = timeline_,
             .recording = recording_,
             .renderer = "scripted",
+            .languages = languages_.choices(),
             .now_s = screen_.seconds(),
             .sharing = sharing_,
             .filming = filming_};

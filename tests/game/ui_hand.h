@@ -1,11 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "game/app/languages.h"
 #include "game/ui/ui.h"
 #include "tests/support/scripted_screen.h"
 #include "tests/support/worlds.h"
@@ -31,8 +33,8 @@ class UiHand : public testing::Test {
     Actions type_into(std::string_view label, std::string_view text);
 
     ui::Facts facts() const;
-    // Replaces the panels: at another size, say.
-    void begin_anew(ScreenSize size);
+    // Replaces the panels: at another size, say. Without a font they have ImGui's own.
+    void begin_anew(ScreenSize size, const std::optional<std::filesystem::path>& font = std::nullopt);
 
     support::ScriptedScreen screen_;
     Scenario scenario_;
@@ -44,6 +46,7 @@ class UiHand : public testing::Test {
     Notices notices_;
     Catalogue catalogue_;
     KeyMap keys_;
+    Languages languages_;
     Modifiers modifiers_;
     bool touched_ = false;
     std::size_t actions_to_undo_ = 0, actions_to_redo_ = 0;

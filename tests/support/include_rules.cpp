@@ -29,11 +29,11 @@ const Names kSimLibraries{"glm/", "xxhash.h", "xxh_x86dispatch.h", "experimental
 const Names kNotInSim{"filesystem", "fstream", "chrono", "ctime"};
 
 // Folders of game/, lowest floor first: each may include only those before it.
-const Names kGameFloors{"game/base/",      "game/files/",    "game/pages/",    "game/scene/",
-                        "game/recording/", "game/session/",  "game/analysis/", "game/share/",
-                        "game/compare/",   "game/ensemble/", "game/figures/",  "game/bench/",
-                        "game/controls/",  "game/sound/",    "game/live/",     "game/ui/",
-                        "game/app/",       "game/commands/", "game/python/"};
+const Names kGameFloors{"game/base/",  "game/words/",     "game/files/",    "game/pages/",
+                        "game/scene/", "game/recording/", "game/session/",  "game/analysis/",
+                        "game/share/", "game/compare/",   "game/ensemble/", "game/figures/",
+                        "game/bench/", "game/controls/",  "game/sound/",    "game/live/",
+                        "game/ui/",    "game/app/",       "game/commands/", "game/python/"};
 
 // Folders of render/ without OpenGL, lowest floor first: each may include only those before it.
 const Names kRenderFloors{"render/base/", "render/pictures/",  "render/view/",  "render/mountain/",

@@ -1,0 +1,93 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "game/controls/key_map.h"
+#include "game/files/ui_font.h"
+#include "game/words/words.h"
+#include "tests/game/ui_hand.h"
+
+namespace game::test {
+namespace {
+
+// Everything that is shown, in every language, at both sizes of text.
+class UiLanguages : public UiHand {
+  protected:
+    ~UiLanguages() override { speak(nullptr); }
+
+    // One place after the other, until all were seen: each is opened, looked at, and left.
+    void walk(const std::string& where) {
+        const auto look = [&](const std::string& at) {
+            settle();
+            for (const std::string& words : ui_->cut())
+                ADD_FAILURE() << where << at << ": no room for \"" << words << '"';
+        };
+        for (const ToolInfo& info : tool_infos()) {
+            brush_.tool = info.tool;
+            look(std::string("tool ") + info.plain->label);
+        }
+        for (const Verb panel :
+             {Verb::kToggleScene, Verb::kTogglePhysics, Verb::kToggleDisplay, Verb::kTogglePerformance,
+              Verb::kToggleFilm, Verb::kToggleMeasure, Verb::kToggleHelp}) {
+            ui_->perform(panel);
+            look("panel " + std::to_string(static_cast<int>(panel)));
+            ui_->perform(panel);
+        }
+        for (const std::optional<int> medal : {std::optional<int>(), std::optional(0), std::optional(3)}) {
+            card_ = ui::ResultCard{"The bowl", "", "", "", medal, {}};
+            look("result card");
+            card_.reset();
+        }
+        timeline_ = {.known_until = 100, .watches = true};
+        look("watching");
+        timeline_ = {};
+        for (const char* page : {"Challenges", "Free play", "My hill", "Watch", "Settings", "Keys"}) {
+            ui_->perform(Verb::kMenu);
+            settle();
+            click(page);
+            look(page);
+            if (ui_->find("Gamepad")) {
+                click("Gamepad");
+                look("Gamepad");
+            }
+            ui_->close_menu();
+        }
+    }
+};
+
+TEST_F(UiLanguages, have_room_for_every_label_at_1280_by_720_and_at_twice_the_text_size) {
+    const auto font = ui_font();
+    if (!font) GTEST_SKIP() << "there is no font";
+    catalogue_.own = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"}};
+    languages_ = Languages::of_user();
+    EXPECT_EQ(languages_.told().size(), 0u);
+    ASSERT_GE(languages_.choices().size(), 2u);
+    for (const LanguageChoice& language : languages_.choices())
+        for (const double letters : {1.0, 2.0}) {
+            languages_.choose(language.code);
+            display_.letters = letters;
+            begin_anew({1280, 720, 1}, font);
+            walk(language.name + (letters > 1 ? ", twice the size, " : ", "));
+        }
+}
+
+// Labels in the tests of this folder are English, whatever is shown.
+TEST_F(UiLanguages, keep_the_places_of_widgets) {
+    languages_ = Languages::of_user();
+    languages_.choose("de");
+    ASSERT_STREQ(tr("Pour"), "Schütten");
+    begin_anew({1280, 720, 1});
+    EXPECT_TRUE(ui_->find("Pour"));
+    EXPECT_EQ(only<Tool>(click("Dig")), Tool::kDig);
+}
+
+TEST_F(UiLanguages, are_chosen_in_the_settings) {
+    languages_ = Languages::of_user();
+    begin_anew({1600, 1000, 1});
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    EXPECT_TRUE(ui_->find("Language"));
+}
+
+}  // namespace
+}  // namespace game::test

@@ -1,0 +1,313 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "game/analysis/score.h"
+#include "game/app/languages.h"
+#include "game/controls/catalogue.h"
+#include "game/controls/frame_times.h"
+#include "game/controls/gamepad.h"
+#include "game/controls/key_map.h"
+#include "game/controls/tier.h"
+#include "game/controls/tools.h"
+#include "game/files/assets.h"
+#include "game/files/toml_table.h"
+#include "game/scene/goal.h"
+#include "game/sound/waves.h"
+#include "game/words/language.h"
+#include "sim/world/params.h"
+#include "sim/world/things.h"
+#include "tests/support/literals.h"
+#include "tests/support/places.h"
+
+namespace game::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Messages, and a place each where they are used.
+using Messages = std::map<std::string, std::string>;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Whether it has a word, beside what printf and fmt put in and beside units.
+bool has_words(std::string_view text) {
+    static const std::set<std::string, std::less<>> kUnits{"m", "ms", "kPa", "ha", "m³",
+                                                           "s", "km", "MB",  "em"};
+    std::string word;
+    const auto is_word = [&] { return word.size() > 1 && !kUnits.contains(word); };
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        const char c = i < text.size() ? text[i] : ' ';
+        if (c == '%' && word.empty()) {
+            i = std::min(text.find_first_of("%diufgcsxz", i + 1), text.size());
+            if (i < text.size() && text[i] == 'z') ++i;
+        } else if (c == '{' && word.empty()) {
+            i = std::min(text.find('}', i), text.size());
+        } else if (std::isalpha(static_cast<unsigned char>(c))) {
+            word += c;
+        } else if (static_cast<unsigned char>(c) < 0x80) {
+            if (is_word()) return true;
+            word.clear();
+        }
+    }
+    return false;
+}
+
+// Texts of game/ui that nobody reads: names of windows and of places that tests look for, and formats of ImGui.
+bool is_no_message(const support::Literal& literal) {
+    static const std::set<std::string, std::less<>> kCallers{"note",
+                                                             "Begin",
+                                                             "BeginChild",
+                                                             "keep_window_clear",
+                                                             "Columns",
+                                                             "InvisibleButton",
+                                                             "PushID",
+                                                             "GetID",
+                                                             "ImGui_ImplOpenGL3_Init",
+                                                             "InputText",
+                                                             "SliderScalar",
+                                                             "AddFontFromFileTTF"};
+    static const std::set<std::string, std::less<>> kTexts{"key %s",
+                                                           "key of %.*s",
+                                                           "Close %s",
+                                                           "Panel %s",
+                                                           "%s: default",
+                                                           "_slope",
+                                                           "_s",
+                                                           "Couloir",
+                                                           ".png",
+                                                           ".jpg",
+                                                           "start_slope",
+                                                           "#version 450",
+                                                           "%4d-%2d-%2d_%2d-%2d-%2d_%n"};
+    return kCallers.contains(literal.caller) || kTexts.contains(literal.text) ||
+           literal.text.starts_with("##");
+}
+
+void add(Messages& messages, std::string_view text, const std::string& place) {
+    const bool is_name = text.find('_') != text.npos && text.find(' ') == text.npos;
+    if (has_words(text) && !is_name) messages.emplace(text, place);
+}
+
+// In game/ui every text is read by a person, but for those above. Elsewhere those given to tr(), said() and message().
+Messages messages_in_sources() {
+    Messages messages;
+    const fs::path top = support::source_dir() / "game";
+    for (const auto& entry : fs::recursive_directory_iterator(top)) {
+        const fs::path& path = entry.path();
+        if (path.extension() != ".cpp" && path.extension() != ".h") continue;
+        const bool is_ui = path.parent_path().filename() == "ui";
+        for (const support::Literal& literal : support::literals_in(text_of(path))) {
+            const std::string place = path.filename().string() + ":" + std::to_string(literal.line);
+            if (literal.caller == "tr" || literal.caller == "said" || literal.caller == "message") {
+                if (!literal.text.empty()) messages.emplace(literal.text, place);
+            } else if (is_ui && !is_no_message(literal))
+                add(messages, literal.text, place);
+        }
+    }
+    return messages;
+}
+
+void add_tables(Messages& messages) {
+    for (const ToolInfo& tool : tool_infos()) {
+        add(messages, tool.tooltip, "tools");
+        for (const Deed* deed : {tool.plain, tool.control, tool.shift})
+            add(messages, deed->label, "tools"), add(messages, deed->purpose, "tools");
+        for (const ToolNumber& number : tool.numbers)
+            for (const char* text : {number.label, number.format, number.tooltip})
+                add(messages, text, "tools");
+    }
+    for (std::size_t row = 0; row < KeyMap::usual().size(); ++row)
+        add(messages, KeyMap::usual().meaning(row), "keys");
+    for (const GestureBinding& binding : gesture_bindings())
+        add(messages, binding.hand, "gestures"), add(messages, binding.meaning, "gestures");
+    for (const PadPart& part : pad_parts())
+        add(messages, part.name, "gamepad"), add(messages, part.meaning, "gamepad");
+    for (const PadBinding& binding : pad_bindings())
+        add(messages, binding.name, "gamepad"), add(messages, binding.meaning, "gamepad");
+    for (const PadWheel wheel : {PadWheel::kTools, PadWheel::kTime})
+        for (const PadChoice& choice : choices_of(wheel)) add(messages, choice.label, "gamepad");
+    for (const char* stage : kStageNames) add(messages, stage, "stages");
+    for (const TierInfo& tier : kTiers)
+        add(messages, tier.name, "tiers"), add(messages, tier.tooltip, "tiers");
+    for (std::size_t i = 0; i < sound::kGroups; ++i) {
+        const sound::GroupInfo& group = sound::info_of(static_cast<sound::Group>(i));
+        add(messages, group.name, "sound"), add(messages, group.meaning, "sound");
+    }
+    for (const MeasureInfo& measure : measure_infos())
+        add(messages, measure.words, "measures"), add(messages, measure.unit, "measures");
+    for (int medal = 0; medal <= 3; ++medal) add(messages, medal_name(medal), "medals");
+    for (const sim::CommandInfo& command : sim::kCommands) add(messages, command.name, "commands");
+    for (std::size_t i = 0; i < sim::kThingKinds; ++i) {
+        std::string kind(sim::to_string(static_cast<sim::ThingKind>(i)));
+        kind.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.front())));
+        add(messages, kind, "things");
+    }
+    for (const sim::ParamInfo& param : sim::kParams) {
+        add(messages, param.meaning, "parameters");
+        std::string label(param.name);
+        if (label.ends_with("_s")) label.resize(label.size() - 2);
+        std::ranges::replace(label, '_', ' ');
+        add(messages, label, "parameters");
+    }
+}
+
+// Titles, sentences, tasks and lessons of what ships.
+void add_assets(Messages& messages) {
+    const auto assets = assets_folder();
+    ASSERT_TRUE(assets);
+    for (const char* folder : {"scenes", "materials"})
+        for (const auto& entry : fs::directory_iterator(*assets / folder)) {
+            if (entry.path().extension() != ".toml") continue;
+            const auto file = parse_toml(entry.path());
+            ASSERT_TRUE(file) << entry.path();
+            for (const char* key : {"title", "about"})
+                add(messages, (*file)[key].value_or(std::string()), entry.path().filename());
+            for (const char* key : {"say", "learn"})
+                add(messages, (*file)["goal"][key].value_or(std::string()), entry.path().filename());
+        }
+    const auto catalogue = read_catalogue();
+    ASSERT_TRUE(catalogue);
+    for (const Catalogue::Entry& recording : catalogue->recordings)
+        add(messages, recording.title, "recordings");
+}
+
+Messages all_messages() {
+    Messages messages = messages_in_sources();
+    add_tables(messages);
+    add_assets(messages);
+    return messages;
+}
+
+std::vector<fs::path> shipped_languages() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(support::source_dir() / "assets/languages"))
+        if (entry.path().extension() == ".po") files.push_back(entry.path());
+    return files;
+}
+
+class Catalogues : public testing::Test {
+  protected:
+    // Reads one with these lines after its header.
+    Outcome<Language> read(const std::string& lines) const { return read_whole(kHeader + lines); }
+    Outcome<Language> read_whole(const std::string& text) const {
+        const fs::path file = folder_.path() / "xx.po";
+        std::ofstream(file) << text;
+        return read_language(file);
+    }
+    // What is wrong, without the name of the file.
+    std::string fault(const std::string& lines) const {
+        const auto language = read(lines);
+        if (language) return "nothing";
+        EXPECT_EQ(language.error().status, Failure::kUnusable);
+        const std::string& sentence = language.error().sentence;
+        return sentence.substr(std::min(sentence.find("xx.po:"), sentence.size()));
+    }
+
+    // Four lines.
+    static constexpr const char* kHeader =
+        "msgid \"\"\nmsgstr \"\"\n"
+        "\"Language: xx\\nX-Language-Name: Xish\\n\"\n\"Content-Type: text/plain; charset=UTF-8\\n\"\n";
+    support::TemporaryFolder folder_;
+};
+
+TEST_F(Catalogues, give_words_to_messages) {
+    const auto language = read(
+        "\n# by hand\n#: panel.cpp\nmsgid \"Dig\"\nmsgstr \"Gra\"\n\"ben\"\n"
+        "#, fuzzy\nmsgid \"Pour\"\nmsgstr \"Gie\u00dfen\"\n\nmsgid \"Blast\"\nmsgstr \"\"\n"
+        "#~ msgid \"Gone\"\n#~ msgstr \"Weg\"\n\nmsgid \"a \\\"b\\\"\\n\"\nmsgstr \"c\\\\\"\r\n");
+    ASSERT_TRUE(language) << language.error().sentence;
+    EXPECT_EQ(language->code(), "xx");
+    EXPECT_EQ(language->name(), "Xish");
+    ASSERT_TRUE(language->find("Dig"));
+    EXPECT_EQ(*language->find("Dig"), "Graben");
+    ASSERT_TRUE(language->find("a \"b\"\n"));
+    EXPECT_EQ(*language->find("a \"b\"\n"), "c\\");
+    for (const char* none : {"Pour", "Blast", "Gone", ""}) EXPECT_FALSE(language->find(none)) << none;
+}
+
+TEST_F(Catalogues, are_refused_with_their_line_if_they_are_damaged) {
+    EXPECT_EQ(fault("msgid \"a\"\n"), "xx.po:5: msgid without msgstr");
+    EXPECT_EQ(fault("msgstr \"a\"\n"), "xx.po:5: msgstr without msgid");
+    EXPECT_EQ(fault("msgid \"a\nmsgstr \"b\"\n"), "xx.po:5: a text whose quotation mark does not close");
+    EXPECT_EQ(fault("msgid \"a\" b\"\nmsgstr \"b\"\n"),
+              "xx.po:5: something follows the text in quotation marks");
+    EXPECT_EQ(fault("msgid a\n"), "xx.po:5: no text in quotation marks");
+    EXPECT_EQ(fault("msgid \"\\x\"\nmsgstr \"b\"\n"), "xx.po:5: \\x is no escape that is used here");
+    EXPECT_EQ(fault("<html>\n"), "xx.po:5: begins with neither #, \", msgid nor msgstr");
+    EXPECT_EQ(fault("msgctxt \"a\"\n"), "xx.po:5: msgctxt: contexts and plurals are not used here");
+    EXPECT_EQ(fault("msgid \"a\"\nmsgid_plural \"b\"\n"),
+              "xx.po:6: msgid_plural: contexts and plurals are not used here");
+    EXPECT_EQ(fault("msgid \"a\"\nmsgstr \"b\"\nmsgid \"a\"\nmsgstr \"c\"\n"),
+              "xx.po:7: \"a\" is there twice");
+    EXPECT_EQ(fault("msgid \"\"\nmsgstr \"b\"\n"), "xx.po:5: a second header");
+    EXPECT_EQ(fault("msgid \"a\"\nmsgstr \"\xe4\"\n"),
+              "xx.po:5: \"a\": not UTF-8, or has signs that cannot be seen");
+    EXPECT_EQ(fault("msgid \"a\"\nmsgstr \"\u202e\"\n"),
+              "xx.po:5: \"a\": not UTF-8, or has signs that cannot be seen");
+    EXPECT_FALSE(read_whole("msgid \"a\"\nmsgstr \"b\"\n"));
+    EXPECT_FALSE(read_whole(""));
+    EXPECT_FALSE(read("msgid \"" + std::string(5000, 'a') + "\"\nmsgstr \"b\"\n"));
+    EXPECT_FALSE(read(std::string(2 << 20, '#')));
+}
+
+// Each would be read as a number or a text that is not there.
+TEST_F(Catalogues, are_refused_if_a_placeholder_differs) {
+    for (const auto& [english, words] : {std::pair("%.1f m", "%s m"),
+                                         {"%d of %d", "%d"},
+                                         {"%s", "%s %s"},
+                                         {"%d", "%ld"},
+                                         {"%s", "%n"},
+                                         {"%d %s", "%s %d"},
+                                         {"100", "100 %"},
+                                         {"%.0f %%", "%.0f %"},
+                                         {"{}", "{} {}"},
+                                         {"{:.1f}", "{}"},
+                                         {"{}", "{"},
+                                         {"{}", "}"},
+                                         {"{} {:.0f}", "{:.0f} {}"},
+                                         {"{} {}", "{1} {}"},
+                                         {"%s %s", "%2$s %s"},
+                                         {"%.*s %s", "%3$s %.*1$s"}}) {
+        const std::string lines = std::string("msgid \"") + english + "\"\nmsgstr \"" + words + "\"\n";
+        EXPECT_EQ(fault(lines),
+                  std::string("xx.po:5: \"") + english + "\": the placeholders of \"" + words + "\" differ");
+    }
+    for (const auto& [english, words] : {std::pair("%d %s", "%2$s %1$d"),
+                                         {"%.0f %%", "%% %.0f"},
+                                         {"{} of {:.1f}", "{1:.1f} von {0}"},
+                                         {"{}", "{0}"},
+                                         {"%.*s", "%.*s!"}})
+        EXPECT_TRUE(same_placeholders(english, words)) << words;
+}
+
+TEST(Words, of_every_language_are_complete) {
+    const Messages messages = all_messages();
+    EXPECT_GT(messages.size(), 500u);
+    ASSERT_FALSE(shipped_languages().empty());
+    for (const fs::path& file : shipped_languages()) {
+        const auto language = read_language(file);
+        ASSERT_TRUE(language) << language.error().sentence;
+        for (const auto& [message, place] : messages)
+            EXPECT_TRUE(language->find(message))
+                << file.filename() << " has no words for \"" << message << "\" of " << place;
+        for (const std::string_view message : language->messages())
+            EXPECT_TRUE(messages.contains(std::string(message)))
+                << file.filename() << ": nobody says \"" << message << '"';
+    }
+}
+
+}  // namespace
+}  // namespace game::test
