@@ -15,6 +15,7 @@
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
 #include "game/scene/surface.h"
+#include "game/words/plain.h"
 #include "game/words/words.h"
 #include "render/mountain/overview.h"
 #include "render/mountain/pick.h"
@@ -81,6 +82,7 @@ App::App(Screen& screen, render::Renderer renderer, Catalogue catalogue, const s
 
 App::~App() {
     speak(nullptr);
+    speak_plainly(false);
 }
 
 // `tier`: of the command line.
@@ -100,6 +102,7 @@ void App::begin_as_kept(SettingsFile settings, std::optional<Tier> tier) {
 }
 
 void App::speak_as_chosen() {
+    speak_plainly(!display_.field_words);
     if (std::exchange(spoken_, display_.language) == display_.language) return;
     languages_.choose(display_.language);
 }

@@ -99,6 +99,16 @@ void App::perform(Verb verb) {
             return share();
         case Verb::kScreenshot:
             return screenshots_.ask();
+        case Verb::kSlowMotion:
+            return time_.slow_motion();
+        case Verb::kSpeedColours:
+            display_.overlay = display_.overlay == render::Overlay::kSpeed ? render::Overlay::kNone
+                                                                           : render::Overlay::kSpeed;
+            return;
+        case Verb::kFieldWords:
+            display_.field_words = !display_.field_words;
+            return tell(tr(display_.field_words ? "The field's words: standing and rolling layer, aspect"
+                                                : "Plain words: what lies, what moves, where it faces"));
         case Verb::kMute:
             display_.volumes.muted = !display_.volumes.muted;
             return tell(tr(display_.volumes.muted ? "Sound off" : "Sound on"));

@@ -28,6 +28,7 @@ void each_setting(Settings& s, Each& each) {
     Display& d = s.display;
     each.table("display");
     each.language("language", d.language);
+    each.flag("field_words", d.field_words);
     each.flag("contours", d.contours);
     each.flag("trees", d.trees);
     each.flag("ghost", d.ghost);

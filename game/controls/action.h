@@ -28,6 +28,7 @@ enum class Verb {
     kSlower,      // half the speed
     kFaster,      // twice the speed
     kUsualSpeed,  // 1
+    kSlowMotion,  // toggles
     kStepBack,    // one tick back, then pause
     kRunBack,     // toggles rewinding
     kMarkBefore,  // goes to the nearest mark on the timeline
@@ -42,11 +43,13 @@ enum class Verb {
     kWeakerBrush,
     kStrongerBrush,
     kPourStandingOrRolling,
-    kOverview,     // camera that shows the whole terrain
-    kTopDown,      // toggles
-    kFly,          // toggles
-    kChase,        // toggles
-    kToggleScene,  // panels
+    kOverview,      // camera that shows the whole terrain
+    kTopDown,       // toggles
+    kFly,           // toggles
+    kChase,         // toggles
+    kSpeedColours,  // toggles
+    kFieldWords,    // toggles
+    kToggleScene,   // panels
     kTogglePhysics,
     kToggleDisplay,
     kTogglePerformance,

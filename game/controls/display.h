@@ -32,6 +32,7 @@ struct Display {
     double most_scale = 1;          // of a moving image, one of kScales, unless the tier is full
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
     std::string language;           // code of that of the window; empty: that of the system
+    bool field_words = false;       // those of avalanche dynamics, else plain ones
     bool slow_release = true;       // time passes slower for a moment when a slide breaks loose
     bool fast_creep = true;         // and faster when only creep is left of it
     sound::Volumes volumes;         // of sound

@@ -58,6 +58,9 @@ constexpr std::array kKeyBindings{
     KeyBinding{function_key(10), kAlone, false, Verb::kShare, "share", "share this slide as a web page"},
     KeyBinding{function_key(11), kAlone, false, Verb::kFullscreen, "full_screen", "full screen on or off"},
     KeyBinding{key('M'), kAlone, false, Verb::kMute, "sound", "sound on or off"},
+    KeyBinding{key('X'), kAlone, false, Verb::kSlowMotion, "slow_motion", "slow motion on or off"},
+    KeyBinding{key('O'), kAlone, false, Verb::kSpeedColours, "speed_colours", "colours of speed on or off"},
+    KeyBinding{key('G'), kAlone, false, Verb::kFieldWords, "field_words", "plain words, or the field's"},
     KeyBinding{function_key(12), kAlone, false, Verb::kScreenshot, "screenshot", "take a screenshot"},
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit", "quit"},
 };

@@ -1,8 +1,20 @@
 #include "game/controls/pace.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace game {
+namespace {
+
+std::ptrdiff_t struck_houses(const sim::State& state) {
+    constexpr std::int64_t kStrikes = 1000;  // Pa; less breaks no window
+    if (!state.things) return 0;
+    return std::ranges::count_if(state.things->list, [](const sim::Thing& thing) {
+        return thing.kind == sim::ThingKind::kHouse && thing.load >= kStrikes;
+    });
+}
+
+}  // namespace
 
 void Pace::see(const sim::State& state, double now_s) {
     constexpr double kRelease = 500;  // m³ that begin to move at once; a hand pours less
@@ -10,6 +22,10 @@ void Pace::see(const sim::State& state, double now_s) {
     const double quantum = static_cast<double>(sim::kQuantum) * state.grid.cell_area();
     if (static_cast<double>(moves - moved_) * quantum >= kRelease && moves >= 2 * moved_)
         slow_until_ = now_s + kSlowFor;
+    const std::ptrdiff_t struck = struck_houses(state);
+    if (struck_ >= 0 && struck > struck_ && !std::exchange(has_hit_, true)) slow_until_ = now_s + kSlowFor;
+    has_hit_ &= moves > 0;
+    struck_ = struck;
     moved_ = moves;
     most_moved_ = moves == 0 ? 0 : std::max(most_moved_, moves);
     // What pours or breaks loose now will move.

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/world/state.h"
 
 namespace game {
 
-// Finds how time should pass for a viewer: slower for a moment when a slide breaks loose, and faster when only creep is
-// left of it. A view, which never affects the world.
+// Finds how time should pass for a viewer: slower for a moment when a slide breaks loose and when it first hits a house, and
+// faster when only creep is left of it. A view, which never affects the world.
 class Pace {
   public:
     static constexpr double kAtRelease = 0.5, kInCreep = 4;  // factors of the speed
@@ -19,12 +20,15 @@ class Pace {
     // After the world has restarted, or gone to another time.
     void forget() { *this = {}; }
 
-    bool releases(double now_s) const { return now_s < slow_until_; }
+    // It breaks loose, or hits.
+    bool is_moment(double now_s) const { return now_s < slow_until_; }
     bool creeps() const { return creeps_; }
 
   private:
     std::int64_t moved_ = 0, most_moved_ = 0;  // quanta times cells in motion: as seen last, at most so far
     double slow_until_ = 0;                    // s
+    std::ptrdiff_t struck_ = -1;               // houses that were hit at all; −1: not known
+    bool has_hit_ = false;                     // since nothing moved
     bool creeps_ = false;
 };
 

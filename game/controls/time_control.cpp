@@ -5,7 +5,7 @@
 namespace game {
 namespace {
 
-constexpr double kSeenAgainSpeed = 2;  // ×
+constexpr double kSeenAgainSpeed = 2, kSlowMotion = 0.25;  // ×
 
 }  // namespace
 
@@ -22,9 +22,15 @@ void TimeControl::jump() {
 
 void TimeControl::set_pace(double now_s, bool slow_release, bool fast_creep, bool busy) {
     double pace = 1;
-    if (slow_release && pace_.releases(now_s)) pace = Pace::kAtRelease;
+    if (slow_release && pace_.is_moment(now_s)) pace = Pace::kAtRelease;
     if (fast_creep && pace_.creeps()) pace = Pace::kInCreep;
     clock_.set_pace(clock_.runs_back() || busy ? 1 : pace);
+}
+
+void TimeControl::slow_motion() {
+    const bool is_slow = clock_.speed() == kSlowMotion;
+    if (!is_slow) speed_before_ = clock_.speed();
+    clock_.set_speed(is_slow ? speed_before_ : kSlowMotion);
 }
 
 void TimeControl::run_on() {

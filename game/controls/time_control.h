@@ -29,6 +29,9 @@ class TimeControl {
     // speed for who rewinds or is `busy`.
     void set_pace(double now_s, bool slow_release, bool fast_creep, bool busy);
 
+    // A quarter of the usual speed, or again the speed that there was.
+    void slow_motion();
+
     // Time runs on, toward no tick.
     void run_on();
     // Back and on again, in turn.
@@ -54,6 +57,7 @@ class TimeControl {
     std::optional<std::int64_t> target_;
     bool takes_over_ = false;  // at the target
     bool sees_again_ = false;
+    double speed_before_ = 1;  // slow motion
 };
 
 }  // namespace game

@@ -188,6 +188,8 @@ bool language(Desk& desk, const Facts& facts, Display& display) {
 bool picture(Desk& desk, const Facts& facts, Display& display) {
     desk.widgets.heading("Picture");
     bool changed = language(desk, facts, display);
+    changed |= desk.widgets.toggle("Field's words", display.field_words,
+                                   "Standing and rolling layer, aspect, speed in plan. Off: plain words.");
     double detail = static_cast<double>(display.detail) * 100,
            powder = static_cast<double>(display.powder) * 100, letters = display.letters * 100;
     desk.widgets.row("Fine relief");
@@ -235,8 +237,9 @@ bool sounds(Desk& desk, const Facts& facts, Display& display) {
 
 bool pace(Desk& desk, Display& display) {
     desk.widgets.heading("Time");
-    bool changed = desk.widgets.toggle("Slow release", display.slow_release,
-                                       "Half the speed for a second when a slide breaks loose.");
+    bool changed = desk.widgets.toggle(
+        "Slow moments", display.slow_release,
+        "Half the speed for a second when a slide breaks loose, and when it first hits a house.");
     changed |= desk.widgets.toggle("Fast creep", display.fast_creep,
                                    "Four times the speed when next to nothing moves any more.");
     return changed;

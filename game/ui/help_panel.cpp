@@ -11,7 +11,7 @@ namespace game::ui {
 namespace {
 
 constexpr float kTwoColumns = 48, kThreeColumns = 70;  // em: narrower panels have fewer
-constexpr float kCapHeight = 1.25f;                    // em
+constexpr float kCapHeight = 1.08f;                    // em
 
 // Rows of key caps with the same effect, followed by the effect.
 class Table {
@@ -38,12 +38,14 @@ class Table {
 
     void meaning(std::string_view text) {
         // Vertically centred on the caps.
+        ImGui::PushFont(desk_.widgets.letters.small);
         const float lower = (desk_.em() * kCapHeight - ImGui::GetTextLineHeight()) / 2;
         ImGui::SetCursorScreenPos({from_.x + label_width_, from_.y + lower});
         ImGui::PushTextWrapPos(0);
         const std::string_view words = tr(text);
         ImGui::TextUnformatted(words.data(), words.data() + words.size());
         ImGui::PopTextWrapPos();
+        ImGui::PopFont();
         desk_.widgets.note(text);
     }
 
@@ -104,9 +106,9 @@ void help_panel(Desk& desk, const Keys& keys) {
     const int columns = width >= kThreeColumns * em ? 3 : width >= kTwoColumns * em ? 2 : 1;
     if (columns > 1) ImGui::Columns(columns, "help", false);
     mouse(desk, table);
-    pressed_keys(desk, table, keys, "View and panels", Section::kView);
-    if (columns > 1) ImGui::NextColumn();
     pressed_keys(desk, table, keys, "Tools", Section::kTools);
+    if (columns > 1) ImGui::NextColumn();
+    pressed_keys(desk, table, keys, "View and panels", Section::kView);
     held_keys(desk, table, keys);
     if (columns > 2) ImGui::NextColumn();
     pressed_keys(desk, table, keys, "Time and program", Section::kRest);

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "game/ui/graph.h"
+#include "game/ui/walls.h"
 #include "game/words/words.h"
 
 namespace game::ui {
@@ -23,6 +26,7 @@ struct Plot {
     const char* format;  // of the value
     double least;        // at the top of the axis
     ImU32 colour;
+    std::span<const Wall> walls = {};  // that a pressure breaks
 };
 
 double seconds_of(const Facts& facts, std::int64_t tick) {
@@ -61,6 +65,19 @@ std::optional<double> seek(const Facts& facts, const Graph& graph, Actions& acti
     return pointed;
 }
 
+// The pressure that breaks a wall, if the axis reaches as far.
+void wall_line(Desk& desk, const Graph& graph, const Wall& wall, const Range& seconds) {
+    const float y = graph.y(wall.pressure);
+    ImFont* const letters = desk.widgets.letters.small;
+    if (y < graph.top() + 2.2f * letters->FontSize) return;
+    graph.line(seconds.least, wall.pressure, seconds.most, wall.pressure, faded(kDimText, 0.5f),
+               0.06f * desk.em());
+    const char* const words = tr(wall.what);
+    const float wide = letters->CalcTextSizeA(letters->FontSize, FLT_MAX, 0, words).x;
+    graph.list().AddText(letters, letters->FontSize,
+                         {graph.right() - 0.35f * desk.em() - wide, y - letters->FontSize}, kDimText, words);
+}
+
 struct OverTime {
     Range seconds;
     bool is_last;  // its numbers are told
@@ -82,6 +99,7 @@ std::optional<double> draw_plot(Desk& desk, const Facts& facts, const Plot& plot
         graph.fill(x0, x1, {0, y0}, {0, y1}, faded(plot.colour, 0.2f));
         graph.line(x0, y0, x1, y1, plot.colour, 0.1f * desk.em());
     }
+    for (const Wall& wall : plot.walls) wall_line(desk, graph, wall, over.seconds);
     graph.upright(seconds_of(facts, facts.state.tick), kAccent);
     plot_title(desk, facts, plot, graph, value);
     if (desk.pointed_s) graph.upright(*desk.pointed_s, kText);
@@ -163,7 +181,7 @@ void plots_over_time(Desk& desk, const Facts& facts, Actions& actions) {
          [](const Sample& s) { return s.speed; });
     desk.told_house = choose_house(desk, facts);
     if (const auto house = desk.told_house) {
-        draw({"Pressure at the house", "kPa", "%.1f kPa", kLeastPressure, kDanger}, true,
+        draw({"Pressure at the house", "kPa", "%.1f kPa", kLeastPressure, kDanger, kWalls}, true,
              [&](const Sample& s) { return static_cast<double>(s.pressure.at(*house)); });
         tell_house(desk, facts, *house);
     }

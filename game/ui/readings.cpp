@@ -7,6 +7,8 @@
 
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
+#include "game/ui/walls.h"
+#include "game/words/plain.h"
 #include "game/words/words.h"
 
 namespace game::ui {
@@ -80,18 +82,24 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     widgets.fact("Height", "%.1f m", reading.height);
     slope(desk, facts, reading);
     if (reading.aspect_deg)
-        widgets.fact("Faces", "%.0f° %s", *reading.aspect_deg, tr(compass_point(*reading.aspect_deg)));
+        widgets.fact("Aspect", "%.0f° %s", *reading.aspect_deg, tr(compass_point(*reading.aspect_deg)));
     else
-        widgets.fact("Faces", "level");
+        widgets.fact("Aspect", "level");
     widgets.fact("Standing", "%.2f m", reading.standing);
     widgets.fact("Rolling", "%.2f m", reading.rolling);
-    if (reading.rolling > 0) widgets.fact("Thickness", "%.2f m", reading.thickness);
+    if (reading.rolling > 0 && !speaks_plainly()) widgets.fact("Thickness", "%.2f m", reading.thickness);
     if (reading.lower_share)
         widgets.fact("Mixture", "%.0f %% %s", 100 * *reading.lower_share,
                      tr(title_in(facts.catalogue.materials, facts.scenario.lower->material)));
     widgets.fact("Speed on slope", "%.1f m/s", reading.speed_slope);
-    widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
-    if (reading.pressure) widgets.fact("Pressure", "%.1f kPa", *reading.pressure);
+    if (!speaks_plainly()) widgets.fact("Speed in plan", "%.1f m/s", reading.speed_plan);
+    if (reading.pressure) {
+        const Wall* const wall = broken_by(*reading.pressure);
+        if (wall)
+            widgets.fact("Pressure", "%.1f kPa, breaks %s", *reading.pressure, tr(wall->what));
+        else
+            widgets.fact("Pressure", "%.1f kPa", *reading.pressure);
+    }
     things(desk, reading);
     if (facts.runs && facts.runs->probability)
         widgets.fact("Probability", "%.1f %%", 100 * *facts.runs->probability);

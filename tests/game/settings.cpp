@@ -42,6 +42,8 @@ Settings changed() {
     Settings settings;
     Display& display = settings.display;
     display.contours = true;
+    display.language = "de";
+    display.field_words = true;
     display.trees = display.ghost = display.ends = false;
     display.slow_release = display.fast_creep = display.shows_shared = false;
     display.detail = 0.25f;

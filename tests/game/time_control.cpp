@@ -87,5 +87,14 @@ TEST(TimeControl, begins_another_epoch_wherever_the_world_is_another_one) {
     EXPECT_TRUE(is_another());
 }
 
+TEST(TimeControl, goes_back_from_slow_motion_to_the_speed_before) {
+    TimeControl time;
+    time.clock().set_speed(2);
+    time.slow_motion();
+    EXPECT_EQ(time.clock().speed(), 0.25);
+    time.slow_motion();
+    EXPECT_EQ(time.clock().speed(), 2);
+}
+
 }  // namespace
 }  // namespace game::test

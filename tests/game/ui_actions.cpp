@@ -303,7 +303,7 @@ TEST_F(UiHand, reads_out_what_is_under_the_cursor_and_nothing_where_there_is_non
     under_cursor_->slope_deg = 37;
     settle();
     for (const char* label :
-         {"Height", "Slope", "Faces", "Standing", "Rolling", "Speed on slope", "Speed in plan"})
+         {"Height", "Slope", "Aspect", "Standing", "Rolling", "Speed on slope", "Speed in plan"})
         EXPECT_TRUE(ui_->find(label)) << label;
     EXPECT_FALSE(ui_->find("Mixture"));
     EXPECT_FALSE(ui_->find("Pressure"));

@@ -24,6 +24,8 @@
 #include "game/scene/goal.h"
 #include "game/sound/waves.h"
 #include "game/words/language.h"
+#include "game/words/plain.h"
+#include "game/words/words.h"
 #include "sim/world/params.h"
 #include "sim/world/things.h"
 #include "tests/support/literals.h"
@@ -148,6 +150,7 @@ void add_tables(Messages& messages) {
     }
     for (const MeasureInfo& measure : measure_infos())
         add(messages, measure.words, "measures"), add(messages, measure.unit, "measures");
+    for (const PlainWords& words : plain_words()) messages.emplace(words.plain, "plain words");
     for (int medal = 0; medal <= 3; ++medal) add(messages, medal_name(medal), "medals");
     for (const sim::CommandInfo& command : sim::kCommands) add(messages, command.name, "commands");
     for (std::size_t i = 0; i < sim::kThingKinds; ++i) {
@@ -291,6 +294,21 @@ TEST_F(Catalogues, are_refused_if_a_placeholder_differs) {
                                          {"{}", "{0}"},
                                          {"%.*s", "%.*s!"}})
         EXPECT_TRUE(same_placeholders(english, words)) << words;
+}
+
+TEST(Words, that_are_plain_have_the_places_of_those_of_the_field) {
+    const Messages messages = all_messages();
+    EXPECT_TRUE(std::ranges::is_sorted(plain_words(), {}, &PlainWords::of_field));
+    for (const PlainWords& words : plain_words()) {
+        EXPECT_TRUE(same_placeholders(words.of_field, words.plain)) << words.plain;
+        EXPECT_TRUE(messages.contains(std::string(words.of_field))) << "nobody says " << words.of_field;
+    }
+    EXPECT_STREQ(tr("Standing"), "Standing");
+    speak_plainly(true);
+    EXPECT_STREQ(tr("Standing"), "Lying");
+    EXPECT_EQ(tr(std::string_view("rolling layer")), "what moves");
+    EXPECT_STREQ(tr("Pressure"), "Pressure");
+    speak_plainly(false);
 }
 
 TEST(Words, of_every_language_are_complete) {

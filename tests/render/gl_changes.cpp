@@ -128,7 +128,7 @@ TEST_F(Changes, of_soil_differ_from_turf_by_5_in_all_colour_vision) {
     const Picture picture = drawn(soil_under_turf(), first_depth_);
     for (const Colour& changed : {scar(picture), deposit(picture)}) {
         double least = colour_distance(changed, untouched(picture));
-        for (const Cone cone : {Cone::kLong, Cone::kMiddle})
+        for (const Cone cone : kCones)
             least =
                 std::min(least, colour_distance(without(cone, changed), without(cone, untouched(picture))));
         EXPECT_GT(least, 5);

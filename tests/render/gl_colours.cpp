@@ -23,7 +23,7 @@ class Colours : public Gl {
         const Picture p = draw(half_rolling(), from_above({80, 80, 32}, 120), {sun_azimuth_deg, 35}, look);
         const Colour standing = mean_colour(p, 20, 48, 14), rolling = mean_colour(p, 76, 48, 14);
         double least = colour_distance(standing, rolling);
-        for (const Cone cone : {Cone::kLong, Cone::kMiddle})
+        for (const Cone cone : kCones)
             least = std::min(least, colour_distance(without(cone, standing), without(cone, rolling)));
         return least;
     }

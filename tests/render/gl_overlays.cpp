@@ -66,6 +66,24 @@ TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
     }
 }
 
+// Any two, for people who lack one kind of cone too.
+TEST(Legends, have_stops_that_everybody_can_tell_apart) {
+    for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kSpeed, Overlay::kStretch,
+                                  Overlay::kPressure, Overlay::kProbability}) {
+        const auto stops = legend_of(overlay).stops;
+        for (const LegendStop& one : stops)
+            for (const LegendStop& other : stops) {
+                if (one.value >= other.value) continue;
+                const Colour a = of_legend(one), b = of_legend(other);
+                double least = colour_distance(a, b);
+                for (const Cone cone : kCones)
+                    least = std::min(least, colour_distance(without(cone, a), without(cone, b)));
+                EXPECT_GT(least, 10) << "overlay " << static_cast<int>(overlay) << ", " << one.value
+                                     << " and " << other.value;
+            }
+    }
+}
+
 TEST_F(Overlays, of_slope_do_not_colour_ground_below_30_degrees) {
     EXPECT_TRUE(alike(shot(tilted(29.5), Overlay::kSlope), shot(tilted(29.5), Overlay::kNone)));
 }

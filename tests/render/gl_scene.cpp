@@ -86,8 +86,10 @@ Colour without(Cone cone, const Colour& colour) {
         {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
     constexpr Matrix kNoMiddle{
         {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
-    Colour seen = product(cone == Cone::kLong ? kNoLong : kNoMiddle,
-                          {to_linear(colour[0]), to_linear(colour[1]), to_linear(colour[2])});
+    constexpr Matrix kNoShort{
+        {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+    const Matrix& seen_by = cone == Cone::kLong ? kNoLong : cone == Cone::kMiddle ? kNoMiddle : kNoShort;
+    Colour seen = product(seen_by, {to_linear(colour[0]), to_linear(colour[1]), to_linear(colour[2])});
     for (double& value : seen) value = to_srgb(std::min(std::max(value, 0.0), 1.0));
     return seen;
 }

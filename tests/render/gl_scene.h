@@ -26,7 +26,8 @@ testing::AssertionResult alike(const Picture& a, const Picture& b, int most = 0)
 double colour_distance(const Colour& a, const Colour& b);
 
 // The colour as seen by a person without one of the cones (Machado, Oliveira and Fernandes 2009, severity 1).
-enum class Cone { kLong, kMiddle };
+enum class Cone { kLong, kMiddle, kShort };
+inline constexpr std::array kCones{Cone::kLong, Cone::kMiddle, Cone::kShort};
 Colour without(Cone cone, const Colour& colour);
 
 Look plain_look();  // grey standing layer, no small-scale relief, so that a colour can be computed by hand

@@ -1,0 +1,46 @@
+#include "game/words/plain.h"
+
+#include <array>
+
+namespace game {
+namespace {
+
+constexpr std::array kPlainWords{
+    PlainWords{"%s from A: height %s, standing %.1f m, rolling %.1f m, %.0f m/s",
+               "%s from A: height %s, lying %.1f m, moving %.1f m, %.0f m/s"},
+    PlainWords{"Aspect", "Faces"},
+    PlainWords{"Pours into the rolling layer: it flows at once.", "What is poured flows at once."},
+    PlainWords{"Pours onto the standing layer: it rests until the slope fails.",
+               "What is poured lies there until the slope fails."},
+    PlainWords{"Rolling", "Moving"},
+    PlainWords{"Speed on slope", "Speed"},
+    PlainWords{"Standing", "Lying"},
+    PlainWords{"Volume of the standing and rolling layers, and volume poured, dug, and lost over the border.",
+               "Volume of what lies and of what moves, and volume poured, dug, and lost over the border."},
+    PlainWords{"pour onto the standing or into the rolling layer", "pour what lies, or what flows at once"},
+    PlainWords{"rolling depth", "depth of what moves"},
+    PlainWords{"rolling layer", "what moves"},
+    PlainWords{"speed in plan", "speed"},
+    PlainWords{"standing %s   rolling %s   poured %s%s%s   out %s",
+               "lying %s   moving %s   poured %s%s%s   out %s"},
+    PlainWords{"standing depth", "depth of what lies"},
+    PlainWords{"standing layer", "what lies"},
+};
+
+bool plainly_now = false;
+
+}  // namespace
+
+std::span<const PlainWords> plain_words() {
+    return kPlainWords;
+}
+
+void speak_plainly(bool plainly) {
+    plainly_now = plainly;
+}
+
+bool speaks_plainly() {
+    return plainly_now;
+}
+
+}  // namespace game
