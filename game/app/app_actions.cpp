@@ -19,6 +19,7 @@
 #include "game/scene/goal_reach.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/surface.h"
+#include "game/scene/week.h"
 #include "game/session/world_now.h"
 #include "game/words/words.h"
 #include "render/mountain/overview.h"
@@ -551,6 +552,7 @@ bool App::open_or_tell(const std::string& name_or_path, const Overrides& overrid
     Overrides within = overrides;
     within.memory = first_.memory;
     within.memory.use.sessions = 2;  // the old world exists until the new one is loaded
+    within.week = this_week();
     auto loaded = open_anything(name_or_path, within);
     const auto begun = loaded ? begin_afresh(std::move(*loaded)) : tl::unexpected(loaded.error());
     if (!begun) warn(begun.error().sentence);

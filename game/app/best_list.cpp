@@ -6,6 +6,7 @@
 
 #include "game/files/user_folders.h"
 #include "game/scene/scene.h"
+#include "game/scene/week.h"
 
 namespace game {
 namespace {
@@ -29,7 +30,9 @@ std::map<std::string, fs::path> find_folders(const std::vector<std::string>& sce
         if (stopped) break;
         fs::path& found = folders[name];
         try {
-            const auto scene = load_scene(name, {});
+            Overrides overrides;
+            overrides.week = this_week();
+            const auto scene = load_scene(name, overrides);
             if (!scene || !scene->scenario.goal) continue;
             if (const auto folder = best_runs_folder(scene->scenario)) found = *folder;
         } catch (const std::exception&) {  // such as out of memory

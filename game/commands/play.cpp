@@ -10,6 +10,7 @@
 #include "game/files/file_use.h"
 #include "game/files/ui_font.h"
 #include "game/recording/reader.h"
+#include "game/scene/week.h"
 
 namespace game {
 namespace {
@@ -54,6 +55,7 @@ Outcome<int> play(const PlayOptions& options) {
     const PictureSize size = options.size.value_or(size_of(settings.begun()));
     // Checked before the window opens, so that a mistake on the command line does not flash one.
     Overrides overrides = options.overrides;
+    overrides.week = this_week();
     overrides.memory.use = {.draws = true, .frames = {size.width, size.height}, .goes_back = true};
     std::optional<Remembered> led;
     if (options.what.empty()) led = remembered_guide();

@@ -25,6 +25,7 @@ Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
     if (scene->harder_than) entry.harder_than = *scene->harder_than;
     entry.about = document["goal"]["say"].value_or(scene->about.value_or(""));
     entry.difficulty = scene->difficulty.value_or(0);
+    entry.is_weekly = scene->weekly;
     return document["title"].value_or(entry.name);
 }
 

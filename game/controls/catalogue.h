@@ -28,6 +28,7 @@ struct Catalogue {
         std::optional<Best> best = {};       // run of a challenge that is known; read_catalogue() knows none
         std::string about = {};              // a sentence: of a challenge its task; may be empty
         std::int64_t difficulty = 0;         // of a challenge, 1 to SceneFile::kHardest; 0: not known
+        bool is_weekly = false;              // another ground each week
         std::filesystem::path picture = {};  // of what a person has made; it may not exist
     };
     std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name

@@ -354,8 +354,9 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     if (const auto given = ground->text("file")) scene.files.push_back(folder / *given);
-    auto terrain =
-        read_terrain(*ground, folder, overrides.squares, overrides.references, [&](const sim::Grid& grid) {
+    auto terrain = read_terrain(
+        *ground, folder, {overrides.squares, file.weekly ? overrides.week : std::nullopt},
+        overrides.references, [&](const sim::Grid& grid) {
             return overrides.memory.allows(grid, scenario.lower.has_value(),
                                            !things.empty() || woods_act || has_things(scene.commands));
         });

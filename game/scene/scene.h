@@ -28,6 +28,8 @@ struct Overrides {
         float value;
     };
     std::vector<Set> set;
+    // That of who plays, of week_of(): the seed of the terrain of a scene that is weekly. Others keep the seed of the scene.
+    std::optional<std::int64_t> week;
     bool own_grid = false;           // a terrain's own pixels, if `squares` is not given
     std::optional<std::string> crs;  // of a terrain that names none, "EPSG:31287" or WKT
     // Whether a virtual raster may refer to its sources, and a scene to a terrain outside its folder.

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kHarderThan = "harder_than", *kAbout = "about", *kDifficulty = "difficulty";
+constexpr const char *kHarderThan = "harder_than", *kAbout = "about", *kDifficulty = "difficulty",
+                     *kWeekly = "weekly";
 
 // Adds what `document` does not state itself. Nodes are moved, because a copy would forget its line.
 void complete(toml::table& document, toml::table&& from) {
@@ -46,10 +47,13 @@ void take_words(SceneFile& scene, TomlTable& root) {
     scene.difficulty = root.whole(kDifficulty, 1, SceneFile::kHardest);
     if (scene.difficulty && !scene.harder_than && !root.has("goal"))
         root.blame(kDifficulty, "is of a challenge, but the scene has no [goal]");
+    scene.weekly = root.truth(kWeekly).value_or(false);
+    if (scene.weekly && !scene.document["terrain"]["generator"])
+        root.blame(kWeekly, "changes the seed of a generator, and [terrain] names none");
 }
 
 void erase_words(toml::table& document) {
-    for (const char* key : {kHarderThan, kAbout, kDifficulty}) document.erase(key);
+    for (const char* key : {kHarderThan, kAbout, kDifficulty, kWeekly}) document.erase(key);
 }
 
 }  // namespace

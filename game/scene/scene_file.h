@@ -24,6 +24,7 @@ struct SceneFile {
     static constexpr std::size_t kMostAbout = 200;  // bytes
     std::optional<std::string> about = {};
     std::optional<std::int64_t> difficulty = {};
+    bool weekly = false;  // Overrides::week is the seed of its terrain
 };
 
 // Errors: a file cannot be read or is not TOML; or what it is harder than is neither a scene that ships nor a file in its

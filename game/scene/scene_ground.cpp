@@ -21,7 +21,8 @@ using terrains::GridChoice;
 using terrains::Terrain;
 using MaybeTerrain = tl::expected<Terrain, std::string>;
 
-MaybeTerrain generate(TomlTable& table, const std::string& name, const GridChoice& choice) {
+MaybeTerrain generate(TomlTable& table, const std::string& name, const GridChoice& choice,
+                      std::optional<std::int64_t> wished_seed) {
     const terrains::Generator* generator = terrains::find_generator(name);
     if (!generator) {
         table.blame("generator", "is none of " + terrains::generator_names());
@@ -34,6 +35,7 @@ MaybeTerrain generate(TomlTable& table, const std::string& name, const GridChoic
     if (generator->seeded)
         seed = table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(seed);
     table.finish();
+    if (generator->seeded) seed = wished_seed.value_or(seed);
     auto made = generator->make(values, static_cast<std::uint64_t>(seed), choice);
     if (!made) return tl::unexpected(made.error());
     return std::move(made->terrain);
@@ -54,15 +56,15 @@ MaybeTerrain read_file(TomlTable& table, const fs::path& file, const GridChoice&
 
 }  // namespace
 
-MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, std::optional<int> wished,
+MaybeTerrain read_terrain(TomlTable& table, const fs::path& folder, const TerrainWish& wished,
                           terrains::References references, GridChoice::Allowed allowed) {
     const auto grid = table.whole("grid", terrains::kFewestSquares, terrains::kMostSquares);
     const auto generator = table.text("generator"), file = table.text("file");
     if (!grid) table.blame("grid", "is missing: the number of squares along the longer side");
     if (generator.has_value() == file.has_value()) table.blame("", "needs either a generator or a file");
     if (!grid || generator.has_value() == file.has_value()) return tl::unexpected(std::string());
-    const GridChoice choice(wished.value_or(static_cast<int>(*grid)), std::move(allowed));
-    if (generator) return generate(table, *generator, choice);
+    const GridChoice choice(wished.squares.value_or(static_cast<int>(*grid)), std::move(allowed));
+    if (generator) return generate(table, *generator, choice, wished.seed);
     if (references != terrains::References::kAllowed && !files::is_within(folder, folder / *file)) {
         table.blame("file", "lies outside the scene's folder; add --allow-references if you trust the scene");
         return tl::unexpected(std::string());

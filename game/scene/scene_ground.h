@@ -17,13 +17,18 @@ namespace game {
 
 // The ground of a scene file: its [terrain], and the depth of its [cover].
 
+// What is wished in place of what the table says.
+struct TerrainWish {
+    std::optional<int> squares;        // along the longer side
+    std::optional<std::int64_t> seed;  // of a generator that has one
+};
+
 // Reads [terrain]. A file's path is relative to `folder`, the scene's, and may leave
-// it only if references are allowed. `wished`: squares along the longer side,
-// overriding the file's; `allowed` may refuse the grid. Errors: an empty sentence if
+// it only if references are allowed. `allowed` may refuse the grid. Errors: an empty sentence if
 // the table has already reported the fault, else the fault of the terrain's file.
 tl::expected<terrains::Terrain, std::string> read_terrain(TomlTable& table,
                                                           const std::filesystem::path& folder,
-                                                          std::optional<int> wished,
+                                                          const TerrainWish& wished,
                                                           terrains::References references,
                                                           terrains::GridChoice::Allowed allowed);
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "game/analysis/score.h"
+#include "game/scene/week.h"
 #include "game/words/words.h"
 
 namespace game::ui {
@@ -89,6 +90,10 @@ void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actio
     if (!entry.about.empty())
         desk.widgets.plain("%s", write_with_volumes(text, tr(std::string_view(entry.about))));
     desk.widgets.note("About");
+    if (entry.is_weekly) {
+        const auto week = static_cast<int>(this_week());
+        desk.widgets.fact("Week", "%d, %d", week % 100, week / 100);
+    }
     if (entry.kind == Kind::kChallenge) facts_of_challenge(desk, entry, facts);
     const Catalogue::Entry* const other = waits_for(entry, facts);
     if (other) desk.widgets.plain("Opens with gold in “%s”.", tr(other->title.c_str()));

@@ -58,6 +58,17 @@ class CutText {
     std::span<char> left_;
 };
 
+// Of the words of a text, px: what wrapping cannot make narrower.
+float widest_word(std::string_view text) {
+    float widest = 0;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        widest = std::max(widest, ImGui::CalcTextSize(word.data(), word.data() + word.size()).x);
+        text.remove_prefix(std::min(word.size() + 1, text.size()));
+    }
+    return widest;
+}
+
 // Of words and icons; light on the accent too once that is greyed.
 ImU32 colour_on_plate(bool on) {
     return on && enabled() ? kAccentText : kText;
@@ -376,7 +387,7 @@ void Widgets::row(const char* label) {
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
     ImGui::PushTextWrapPos(from + wide * kLabelShare);
     ImGui::TextUnformatted(tr(label));
-    if (ImGui::GetItemRectSize().x > wide * kLabelShare) places_.note_cut(tr(label));
+    if (widest_word(tr(label)) > wide * kLabelShare) places_.note_cut(tr(label));
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::SameLine(from + wide * kLabelShare);

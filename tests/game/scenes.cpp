@@ -11,6 +11,7 @@
 #include "game/recording/recording_file.h"
 #include "game/scene/mountains.h"
 #include "game/scene/scene_file.h"
+#include "game/scene/week.h"
 #include "game/session/session.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
@@ -118,6 +119,39 @@ TEST_F(SceneFile, is_read_with_its_terrain_material_commands_and_view) {
     ASSERT_TRUE(scene->scenario.camera);
     EXPECT_EQ(scene->scenario.camera->target.z, -48);
     EXPECT_EQ(scene->scenario.light.azimuth_deg, 255);
+}
+
+TEST(Week, is_that_of_iso_8601) {
+    using namespace std::chrono;
+    const auto week = [](int y, unsigned m, unsigned d) { return week_of(year(y) / month(m) / day(d)); };
+    EXPECT_EQ(week(2026, 11, 29), 202648);  // a Sunday
+    EXPECT_EQ(week(2026, 11, 30), 202649);
+    EXPECT_EQ(week(2026, 12, 31), 202653);
+    EXPECT_EQ(week(2027, 1, 3), 202653);
+    EXPECT_EQ(week(2027, 1, 4), 202701);
+    EXPECT_EQ(week(2024, 12, 30), 202501);
+}
+
+TEST_F(SceneFile, of_a_week_has_the_ground_of_the_week_of_who_plays) {
+    const std::string rest =
+        "[terrain]\ngenerator = \"massif\"\ngrid = 16\nseed = 5\n[cover]\nmaterial = \"soil\"\n[physics]\nmodel = \"bcre\"\n";
+    const auto ground = [&](const std::string& words, std::optional<std::int64_t> week) {
+        Overrides overrides;
+        overrides.week = week;
+        const auto scene = load(words + rest, overrides);
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.bedrock : decltype(scene->scenario.bedrock){};
+    };
+    const auto own = ground("", std::nullopt);
+    EXPECT_EQ(ground("", 202649), own);
+    EXPECT_EQ(ground("weekly = true\n", std::nullopt), own);
+    const auto of_week = ground("weekly = true\n", 202649);
+    EXPECT_NE(of_week, own);
+    EXPECT_EQ(ground("weekly = true\n", 202649), of_week);
+    EXPECT_NE(ground("weekly = true\n", 202650), of_week);
+    const auto no_seed = load("weekly = true\n[terrain]\nfile = \"a.tif\"\ngrid = 16\n");
+    ASSERT_FALSE(no_seed);
+    EXPECT_NE(no_seed.error().sentence.find("weekly"), std::string::npos) << no_seed.error().sentence;
 }
 
 class HarderScene : public SceneFile {
@@ -529,7 +563,7 @@ TEST_F(SceneFile, with_a_fault_is_refused_with_file_line_and_key) {
 TEST_F(SceneFile, without_a_section_is_refused_by_name) {
     const std::pair<const char*, const char*> sections[] = {
         {"[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 16\n", "has no [terrain]"},
-        {"[cover]\nmaterial = \"soil\"\n", "has no [cover]"},
+        {"[cover]\nmaterial = \"soil\"\n[physics]\nmodel = \"bcre\"\n", "has no [cover]"},
         {"[physics]\nmodel = \"bcre-inertial\"\nborders = \"open\"\n", "has no [physics]"}};
     for (const auto& [section, fact] : sections) {
         const auto scene = load(with(section, ""));

@@ -4,6 +4,7 @@
 
 #include "game/controls/key_map.h"
 #include "game/files/ui_font.h"
+#include "game/words/plain.h"
 #include "game/words/words.h"
 #include "tests/game/ui_hand.h"
 
@@ -38,6 +39,17 @@ class UiLanguages : public UiHand {
             look("result card");
             card_.reset();
         }
+        for (const bool plainly : {true, false}) {
+            speak_plainly(plainly);
+            under_cursor_.emplace();
+            under_cursor_->rolling = 1;
+            under_cursor_->pressure = 12;
+            under_cursor_->aspect_deg = 90;
+            under_cursor_->thing.emplace();
+            look("readings");
+            under_cursor_.reset();
+        }
+        speak_plainly(false);
         timeline_ = {.known_until = 100, .watches = true};
         look("watching");
         timeline_ = {};
