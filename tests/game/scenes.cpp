@@ -134,7 +134,8 @@ TEST(Week, is_that_of_iso_8601) {
 
 TEST_F(SceneFile, of_a_week_has_the_ground_of_the_week_of_who_plays) {
     const std::string rest =
-        "[terrain]\ngenerator = \"massif\"\ngrid = 16\nseed = 5\n[cover]\nmaterial = \"soil\"\n[physics]\nmodel = \"bcre\"\n";
+        "[terrain]\ngenerator = \"massif\"\ngrid = 16\nseed = 5\n[cover]\nmaterial = "
+        "\"soil\"\n[physics]\nmodel = \"bcre\"\n";
     const auto ground = [&](const std::string& words, std::optional<std::int64_t> week) {
         Overrides overrides;
         overrides.week = week;
@@ -563,7 +564,7 @@ TEST_F(SceneFile, with_a_fault_is_refused_with_file_line_and_key) {
 TEST_F(SceneFile, without_a_section_is_refused_by_name) {
     const std::pair<const char*, const char*> sections[] = {
         {"[terrain]\ngenerator = \"slope-of-soil\"\ngrid = 16\n", "has no [terrain]"},
-        {"[cover]\nmaterial = \"soil\"\n[physics]\nmodel = \"bcre\"\n", "has no [cover]"},
+        {"[cover]\nmaterial = \"soil\"\n", "has no [cover]"},
         {"[physics]\nmodel = \"bcre-inertial\"\nborders = \"open\"\n", "has no [physics]"}};
     for (const auto& [section, fact] : sections) {
         const auto scene = load(with(section, ""));
