@@ -23,6 +23,7 @@
 #include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
+#include "render/passes/lens_pass.h"
 #include "render/passes/powder_pass.h"
 #include "render/passes/shadow_pass.h"
 #include "render/passes/spindrift_pass.h"
@@ -82,6 +83,7 @@ struct Renderer::Parts {
     TreesPass trees;
     SpindriftPass spindrift;
     PowderPass powder;
+    LensPass lens;
     FullscreenPass tone;
     FullscreenPass edge_marks, edges;
     Target target;
@@ -135,6 +137,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     parts->trees = ready(TreesPass::create(assets));
     parts->spindrift = ready(SpindriftPass::create(shaders));
     parts->powder = ready(PowderPass::create(shaders));
+    parts->lens = ready(LensPass::create(shaders));
     parts->tone = fullscreen({"slots.glsl", "tone_curve.glsl", "tone.frag"});
     parts->edge_marks = fullscreen({"slots.glsl", "edges_mark.frag"});
     parts->edges = fullscreen({"slots.glsl", "edges.frag"});
@@ -233,7 +236,7 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
                          input.first_depth, frame.block.sun, new_ground) == FollowedWoods::Change::kAll;
     }
     frame.everything = new_trees || frame.new_world || resized || is_coarse() || input.marks.flow_mesh ||
-                       redrawn.key != frame.key;
+                       input.lens || redrawn.key != frame.key;
     return frame;
 }
 
@@ -330,7 +333,8 @@ void Renderer::Parts::find(Frame& frame) {
     structures.find(input, redraw);
     frame.wooded = input.may_have_trees() && trees.any();
     if (frame.wooded) trees.find(input, redraw);
-    frame.powdery = powder.find(input.powder, frame.block, input.look, input.powder_strength, across, up);
+    frame.powdery = powder.find(input.powder, frame.block, input.look, input.powder_strength, across, up,
+                                input.whole.has_value());
     frame.drifting = may_drift(input) &&
                      spindrift.find(*input.surroundings, input.wind, input.seconds, frame.block, screen);
     redrawn.find(input.width, input.height, target.samples(), rules, frame.powdery ? powder.seen() : kNowhere,
@@ -395,8 +399,13 @@ void Renderer::Parts::draw(const Frame& frame) {
     if (frame.powdery) powder.lay_over();
     clock.mark(Pass::kPowder);
 
-    // Tones are mapped last, because light adds up only while it is linear.
-    target.begin_picture(redrawn.shown, in_air);
+    // A photo takes all light that there is; then tones are mapped, because light adds up only while it is linear.
+    GLuint light = target.average(redrawn.shown, in_air);
+    if (input.lens)
+        light = lens.draw(target, light, *input.lens);
+    else
+        lens.forget();
+    target.begin_picture(light);
     tone.draw_encoded(redrawn.shown);
     clock.mark(Pass::kTone);
 

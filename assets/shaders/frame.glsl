@@ -3,9 +3,10 @@
 layout(std140, binding = SLOT_FRAME) uniform Frame {
     mat4 clip_from_world;   // reversed depth: 1 at the near plane, 0 at infinity
     vec4 eye;               // xyz; w: 1 / width of a tile of the broadest detail, 1/m
-    vec4 ray_forward;       // view rays: forward + x · right + y · up, x and y in −1 to 1; w: near plane, m
-    vec4 ray_right;
-    vec4 ray_up;
+    vec4 ray_forward;       // unit vector along the view; w: near plane, m
+    vec4 ray_right;         // view rays: middle + x · right + y · up, x and y in −1 to 1
+    vec4 ray_up;            // w: half the height of the whole image at a distance of 1
+    vec4 ray_middle;        // is forward, unless the frame is a part of an image
     vec4 sun;               // xyz: unit vector to the light that casts shadows, sun or moon; w: tangent of its elevation
     vec4 ground;            // cell m, base of the block m, lowest and highest bedrock m
     ivec4 size;             // vertices along x and y; rays and rows of the sun sweep

@@ -14,6 +14,6 @@ layout(std140, binding = SLOT_POWDER) uniform Powder {
 
 // A place at a distance along the view, in m. ndc: −1 to 1.
 vec3 place_at(vec2 ndc, float distance_m) {
-    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
+    vec3 ray = frame.ray_middle.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
     return frame.eye.xyz + distance_m * ray;
 }

@@ -17,7 +17,7 @@ float cloud(vec3 direction, float steep) {
 }
 
 void main() {
-    vec3 direction = normalize(frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz);
+    vec3 direction = normalize(frame.ray_middle.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz);
     float up = abs(direction.z), toward_lamp = dot(direction, frame.disc.xyz);
     float steep = 1.0 - exp2(-3.6 * up - 9.0 * up * up);
     vec3 low = horizon(direction);

@@ -41,6 +41,7 @@ class FrameBlock {
         this.floats('clip_from_world', 16).set(clip);
         this.floats('eye').set(eye);  // and keeps its w
         this.floats('ray_forward').set([...forward, near]);
+        this.floats('ray_middle').set(forward);
         this.floats('ray_right').set(right);
         this.floats('ray_up').set(up);
         this.floats('material').set([pixel, samples], 1);

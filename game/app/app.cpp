@@ -143,8 +143,8 @@ bool App::frame() {
     guide_stroke();
     time.stage_ms[stage_index(Stage::kInput)] = watch.lap();
 
-    // Ticks that are due, each with the user's commands: recorded first, then applied. None behind the menu.
-    if (!ui_.shows_menu()) run_ticks(elapsed_s, time);
+    // Ticks that are due, each with the user's commands: recorded first, then applied. None behind the menu and for a photo.
+    if (!ui_.shows_menu() && !photo_.is_on()) run_ticks(elapsed_s, time);
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
     lead();
@@ -207,8 +207,8 @@ void App::end_opening() {
 void App::lead() {
     const auto begun = tutorial_.see(
         {.now_s = now_s(),
-         .may_play = !tutorial_.shows_opening() && !sandbox_->watches() && !sandbox_->scenario().goal &&
-                     !sandbox_->scenario().flow && !ui_.shows_menu(),
+         .may_play = !tutorial_.shows_opening() && !photo_.is_on() && !sandbox_->watches() &&
+                     !sandbox_->scenario().goal && !sandbox_->scenario().flow && !ui_.shows_menu(),
          .moves = !sim::at_rest(sandbox_->session().state()) && !time_.pace().creeps(),
          .runs_back = time_.clock().runs_back(),
          .looks_back = sandbox_->looks_back()});
@@ -242,8 +242,12 @@ void App::perform_all() {
     if (input_.dropped())
         for (const auto& path : screen_.dropped()) open_or_tell(path.string(), {});
     // Panels requested these in the previous frame. Requests made here wait for the next frame.
-    for (std::size_t i = 0; i < actions_.size(); ++i)
+    for (std::size_t i = 0; i < actions_.size(); ++i) {
+        const bool fits =
+            std::holds_alternative<Verb>(actions_[i]) || std::holds_alternative<SetPhoto>(actions_[i]);
+        if (photo_.is_on() && !fits) continue;  // a tool, say
         std::visit([this](const auto& action) { perform(action); }, actions_[i]);
+    }
     actions_.clear();
 }
 
@@ -261,10 +265,12 @@ void App::move_camera(double elapsed_s) {
                                                  .aspect = lookout_.aspect(),
                                                  .now_s = now_s()}))
             lookout_.control().cut_to(*pose);
+    if (photo_.is_on()) photo_.fit(lookout_.control(), lookout_.aspect());
     lookout_.move(input_, open_.front.front(), world, elapsed_s);
 }
 
 void App::guide_stroke() {
+    if (photo_.is_on()) return;
     if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
     fit_hand();
     if (input_.brush_pressed() && !begin_section()) begin_stroke();
@@ -484,8 +490,8 @@ void App::judge_slides() {
 void App::play_sound(int ticks) {
     const Session& session = sandbox_->session();
     sound::Ear ear = sound::ear_of(camera(), session.view());
-    ear.passes = ticks > 0 ||
-                 !(time_.clock().paused() || time_.clock().runs_back() || time_.target() || ui_.shows_menu());
+    ear.passes = ticks > 0 || !(time_.clock().paused() || time_.clock().runs_back() || time_.target() ||
+                                ui_.shows_menu() || photo_.is_on());
     ear.looks = input_.focused();
     if (ticks > 0 && hand_.stroke() && hand_.stroke()->deed().acts == Acts::kAllTheTime)
         ear.scrapes = lookout_.ground();
@@ -583,7 +589,8 @@ render::Marks App::marks() const {
                         .probability = runs_ ? runs_->version() : 0};
     if (const auto& densities = sandbox_->session().densities())
         marks.density = glm::dvec2(densities->upper, densities->lower);
-    if (tutorial_.shows_opening()) return marks;
+    if (photo_.is_on()) marks.extent = 0;
+    if (tutorial_.shows_opening() || photo_.is_on()) return marks;
     const bool wanted = (!ui_.hides_panels() && !open_.measuring.takes_press()) ||
                         hand_.stroke();  // without panels the image is for looking
     if (lookout_.ground() && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow)
@@ -598,9 +605,10 @@ WorldImage::Subject App::subject() const {
 
 void App::draw_world(const FrameTime& time) {
     see_ghost();
-    image_.draw(
-        {time_.epoch(), sandbox_->session().changed_at(), camera(), display_, marks(), screen_.size()},
-        subject(), {now_s(), time, times()});
+    WorldImage::Seen seen{time_.epoch(), sandbox_->session().changed_at(), camera(), display_, marks(),
+                          screen_.size()};
+    if (photo_.is_on()) seen.display.light = photo_.light(), seen.lens = photo_.lens();
+    image_.draw(seen, subject(), {now_s(), time, times()});
     display_.tier = image_.tier();
 }
 
@@ -610,18 +618,28 @@ void App::picture_session() {
     if (!sandbox_->watches() && file_.path() && open_.picture.see(moving)) open_.picture.take(image_.shown());
 }
 
-// Of the world as last shown.
+// Of the world as last shown. A large photo is announced in a frame of its own, because the window stands still meanwhile.
 void App::take_screenshot() {
-    auto picture = image_.picture(subject());
+    const int times = photo_.is_on() ? photo_.settings().times : 1;
+    if (times > 1 && photo_.announces()) return screenshots_.ask();
+    auto picture = image_.photo(subject(), times);
     display_.tier = image_.tier();
-    if (!picture) return;
+    if (image_.failure()) return;
+    if (!picture) return warn(said("No screenshot: {}", picture.error().sentence));
     file_.keep();
     Shot shot{sandbox_->scenario(), file_.path().value_or(""), sandbox_->session().state().tick, camera()};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
+    if (photo_.is_on()) shot.photo = photo_.settings();
     const auto begun =
         screenshots_.write(std::move(*picture), dated_name(shot.scenario.scene), texts_of(shot));
     if (!begun) warn(said("No screenshot: {}", begun.error().sentence));
     skip_wait();
+}
+
+std::optional<ui::PhotoNote> App::photo_note() const {
+    if (!photo_.is_on()) return std::nullopt;
+    return ui::PhotoNote{photo_.settings(), focal_lengths(lookout_.aspect()), photo_.hour(), screen_.size(),
+                         photo_.is_announced()};
 }
 
 // Follows the surface once per second of the world.
@@ -746,6 +764,7 @@ void App::draw_panels() {
             .image = image_.size(),
             .sharing = sharing_.progress(),
             .filming = filming_.progress(),
+            .photo = photo_note(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,
             .slide_ended = open_.results.may_share(),

@@ -14,6 +14,7 @@
 #include "game/app/goal_lines.h"
 #include "game/app/languages.h"
 #include "game/app/measuring.h"
+#include "game/app/photo_mode.h"
 #include "game/app/results.h"
 #include "game/app/screenshots.h"
 #include "game/app/session_file.h"
@@ -82,6 +83,7 @@ class App {
     const Brush& brush() const { return hand_.brush(); }
     const std::optional<Guide>& guide() const { return tutorial_.guide(); }
     const Display& display() const { return display_; }
+    const PhotoMode& photo() const { return photo_; }
     const Catalogue& catalogue() const { return catalogue_; }
     // Of the challenge that is open, the best first.
     const std::vector<BestRun>& best_runs() const { return best_list_.runs(); }
@@ -143,6 +145,7 @@ class App {
     void perform(const CoverGround& wish);
     void perform(const BindKey& wish);
     void perform(const ResetKeys&);
+    void perform(const SetPhoto& set);
     void perform(const FilmSlide& wish);
     void perform(const RenameFile& wish);
     void perform(const ThrowAway& wish);
@@ -150,6 +153,9 @@ class App {
     bool is_in_use(const std::filesystem::path& file);  // true: said so
     void perform(const StopFilm&);
     void perform(const DrawSection& wish);
+    bool perform_in_photo(Verb verb);  // false: as always
+    void begin_photo();
+    void end_photo();
     void pause(bool on);
     void undo();
     void redo();
@@ -180,6 +186,7 @@ class App {
     void begin_stroke();
     void tell_of_bare_ground(glm::dvec2 at);
     std::optional<ui::StrokeNote> stroke_note() const;
+    std::optional<ui::PhotoNote> photo_note() const;
     bool on_slope_of_brush(glm::dvec2 at) const;
     double earth_used() const;  // m³
     void keep_watched_run(const Score& score);
@@ -265,6 +272,7 @@ class App {
     Tutorial tutorial_;
     Sounds sounds_;
 
+    PhotoMode photo_;
     Screenshots screenshots_;
     Sharing sharing_;
     Filming filming_;

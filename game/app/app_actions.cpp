@@ -39,6 +39,7 @@ std::uint64_t memory_for_frames(const LoadedWorld& loaded) {
 }  // namespace
 
 void App::perform(Verb verb) {
+    if (photo_.is_on() && perform_in_photo(verb)) return;
     if (verb == Verb::kClosePanel && has_card()) {
         open_.results.close_card();
         return;
@@ -98,6 +99,8 @@ void App::perform(Verb verb) {
             return tell_camera_mode();
         case Verb::kShare:
             return share();
+        case Verb::kPhoto:
+            return begin_photo();
         case Verb::kScreenshot:
             return screenshots_.ask();
         case Verb::kSlowMotion:
@@ -121,6 +124,48 @@ void App::perform(Verb verb) {
         default:
             return;  // panel verbs, handled by ui_
     }
+}
+
+// The world stands still, and only the camera moves.
+bool App::perform_in_photo(Verb verb) {
+    switch (verb) {
+        case Verb::kPhoto:
+        case Verb::kClosePanel:
+            end_photo();
+            return true;
+        case Verb::kTakeOver:
+        case Verb::kScreenshot:
+            screenshots_.ask();
+            return true;
+        case Verb::kMenu:
+            end_photo();
+            return false;
+        case Verb::kOverview:
+        case Verb::kTopDown:
+        case Verb::kFly:
+        case Verb::kChase:
+        case Verb::kFullscreen:
+        case Verb::kMute:
+        case Verb::kQuit:
+            return false;
+        default:
+            return true;
+    }
+}
+
+void App::begin_photo() {
+    if (screen_.size().width == 0) return;
+    hand_.drop();
+    photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, lookout_.aspect());
+}
+
+void App::end_photo() {
+    photo_.end(lookout_.control());
+    screenshots_.asked();  // for one that was only announced
+}
+
+void App::perform(const SetPhoto& set) {
+    if (photo_.is_on()) photo_.set(set.settings);
 }
 
 // A stroke that is held while time is paused ends there, because it would let time run on.
@@ -628,6 +673,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
             warn(closed.error().sentence);
         }
     if (!of_runs) runs_.reset();
+    if (photo_.is_on()) end_photo();
     sandbox_ = std::move(*begun);
     sounds_.listen_to(sandbox_->session());
     first_ = std::move(loaded);

@@ -67,6 +67,11 @@ render::PngTexts texts_of(const Shot& shot) {
         texts.emplace_back("Place of the camera", place);
     if (const std::string place = place_of(scenario, camera.target); !place.empty())
         texts.emplace_back("Place in view", place);
+    if (shot.photo) {
+        texts.emplace_back("Focal length",
+                           fmt::format("{:.1f} mm, of a sensor 36 mm wide", shot.photo->focal_mm));
+        texts.emplace_back("Exposure", fmt::format("{:+.1f} EV", shot.photo->exposure));
+    }
     return texts;
 }
 

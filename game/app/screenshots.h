@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/base/outcome.h"
+#include "game/controls/photo.h"
 #include "game/scene/scenario.h"
 #include "render/pictures/picture.h"
 #include "render/view/camera.h"
@@ -20,10 +21,12 @@ struct Shot {
     std::filesystem::path recording;  // the session's, or the watched one; empty if there is none
     std::int64_t tick = 0;
     render::Camera camera;
+    std::optional<PhotoSettings> photo = {};  // how it was taken in the photo mode
 };
 
 // The texts in the PNG of a screenshot: title, scene, recording, tick, time, program, camera as in a scene, and the
-// places of the camera and of what it looks at, if the world has a place on Earth.
+// places of the camera and of what it looks at, if the world has a place on Earth. Of a photo also focal length and
+// exposure.
 render::PngTexts texts_of(const Shot& shot);
 
 // Writes screenshots on threads of its own, so that the window need not wait. Use it from one thread.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,13 +10,15 @@
 #include <glm/geometric.hpp>
 
 #include "game/controls/key_map.h"
+#include "game/controls/photo_parts.h"
 #include "game/words/words.h"
 #include "render/gl/context.h"
 
 namespace game {
 namespace {
 
-constexpr double kLateRing = 1.5;    // of the frame time; a ring that takes longer is drawn on a moving image
+constexpr double kLateRing = 1.5;  // of the frame time; a ring that takes longer is drawn on a moving image
+constexpr std::int64_t kMostPhotoPixels = std::int64_t{1} << 28;  // of 3 bytes, twice while it is written
 constexpr double kStillAfter = 0.4;  // s without a change, until an image is finished
 
 // Whether a camera that stood is suddenly elsewhere. It stands there: its first image may take longer than a frame, and need not
@@ -209,7 +212,8 @@ void WorldImage::fail_lost() {
     fail("the graphics driver was reset, and the window can draw no more");
 }
 
-void WorldImage::draw_once(const Subject& subject, const ImageSize& image) {
+void WorldImage::draw_once(const Subject& subject, const ImageSize& image,
+                           const std::optional<render::WholeImage>& whole) {
     const Session& session = subject.sandbox.session();
     const Scenario& scenario = subject.sandbox.scenario();
     const Display& display = seen_.display;
@@ -227,6 +231,8 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image) {
                     .flow = session.fronts(),
                     .width = image.width,
                     .height = image.height,
+                    .whole = whole,
+                    .lens = seen_.lens,
                     .first_depth = scenario.depth,
                     .surroundings = &subject.surroundings,
                     .powder = session.powder(),
@@ -257,6 +263,47 @@ std::optional<render::Picture> WorldImage::picture(const Subject& subject) {
         resolution_.drew_another();
     }
     return picture;
+}
+
+Outcome<render::Picture> WorldImage::photo(const Subject& subject, int times) {
+    if (times == 1) {
+        auto once = picture(subject);
+        return once ? Outcome<render::Picture>(std::move(*once)) : tl::unexpected(*failure_);
+    }
+    const ImageSize size = drawn_;
+    auto photo = photo_in_parts(subject, times);
+    if (failure_) return tl::unexpected(*failure_);
+    draw_image(subject, size);
+    resolution_.drew_another();
+    return photo;
+}
+
+Outcome<render::Picture> WorldImage::photo_in_parts(const Subject& subject, int times) {
+    const ScreenSize screen = screen_.size();
+    const std::int64_t pixels =
+        static_cast<std::int64_t>(times) * times * screen.width * static_cast<std::int64_t>(screen.height);
+    const auto too_large = [&](const char* what) {
+        return machine_fails(fmt::format("{} for {}×{} pixels; take it smaller", what, times * screen.width,
+                                         times * screen.height));
+    };
+    if (pixels > kMostPhotoPixels) return too_large("there is no room");
+    const ImageBounds bounds{screen_.longest_side(), bounds_.most_bytes};
+    const auto plan = PhotoParts::plan(screen, times, render::kPartOverlap, bounds);
+    if (!plan) return too_large("the graphics driver has no buffers");
+    try {
+        render::Picture photo{plan->width(), plan->height(),
+                              std::vector<std::uint8_t>(static_cast<std::size_t>(3 * pixels))};
+        for (int part = 0; part < plan->parts(); ++part) {
+            draw_once(subject, plan->frame(), plan->place(part));
+            const DeviceFault fault = screen_.device_fault();
+            if (fault == DeviceFault::kLost) fail_lost();
+            if (fault != DeviceFault::kNone) return too_large("the graphics driver has no memory");
+            plan->put(part, renderer_.read_back(), photo);
+        }
+        return photo;
+    } catch (const std::bad_alloc&) {
+        return too_large("there is no memory");
+    }
 }
 
 }  // namespace game

@@ -31,6 +31,7 @@ class WorldImage {
         Display display;
         render::Marks marks;
         ScreenSize screen{0, 0};
+        std::optional<render::Lens> lens = {};  // of a photo
         bool operator==(const Seen&) const = default;
     };
     // What it is drawn from.
@@ -68,6 +69,10 @@ class WorldImage {
     // The image that was drawn last as finely as one that stands still, without ring and ghost; nothing after a failure.
     std::optional<render::Picture> picture(const Subject& subject);
 
+    // What was drawn last, `times` as wide and high as the screen, in parts if that is more than once. Errors: it is too
+    // large for the memory or the device; then it may be taken smaller, unless failure() says more.
+    Outcome<render::Picture> photo(const Subject& subject, int times);
+
     const ImageSize& size() const { return drawn_; }  // as last drawn
     // For the next image: as seen last, unless the trial or the driver asked for another.
     Tier tier() const { return tier_; }
@@ -80,7 +85,9 @@ class WorldImage {
     bool follows_ring(const Seen& seen);
     double rest_ms(const Moment& moment) const;
     void draw_image(const Subject& subject, ImageSize image);
-    void draw_once(const Subject& subject, const ImageSize& image);
+    void draw_once(const Subject& subject, const ImageSize& image,
+                   const std::optional<render::WholeImage>& whole = std::nullopt);
+    Outcome<render::Picture> photo_in_parts(const Subject& subject, int times);
     void finish_trial(double draw_ms);
     void tell_bounds();
     void lower_bounds(DeviceFault fault);

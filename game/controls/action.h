@@ -14,6 +14,7 @@
 #include "game/controls/display.h"
 #include "game/controls/events.h"
 #include "game/controls/film_wish.h"
+#include "game/controls/photo.h"
 #include "game/scene/scene.h"
 
 namespace game {
@@ -60,7 +61,8 @@ enum class Verb {
     kMenu,          // opens and closes it
     kTogglePanels,  // all of them, and what is in the corners
     kShare,         // page and recording of the slide in a new folder
-    kScreenshot,    // of the world alone
+    kPhoto,         // toggles the photo mode
+    kScreenshot,    // of the world alone; in the photo mode the photo
     kFullscreen,
     kMute,  // toggles sound
     kQuit,
@@ -132,6 +134,11 @@ struct ShowFile {  // its folder, in the file manager
     std::filesystem::path file;
 };
 
+// In the photo mode.
+struct SetPhoto {
+    PhotoSettings settings;
+};
+
 // Films what is on the timeline, while the window goes on; and ends that.
 struct FilmSlide {
     FilmWish wish;
@@ -152,7 +159,7 @@ struct CoverGround {
 using Action =
     std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
                  GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround, BindKey,
-                 ResetKeys, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile, DrawSection>;
+                 ResetKeys, SetPhoto, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile, DrawSection>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

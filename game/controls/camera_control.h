@@ -62,6 +62,19 @@ class CameraControl {
     // Is there at once, and orbits.
     void cut_to(const render::Camera& pose);
 
+    // The vertical fields of view, degrees: of the camera, of its goal, and of where it returns to from the top view.
+    struct FieldsOfView {
+        double now = 0, goal = 0, before_top_down = 0;
+    };
+    FieldsOfView fields_of_view() const {
+        return {now_.field_of_view_deg, goal_.field_of_view_deg, before_top_down_.field_of_view_deg};
+    }
+    // Another lens, at once, where the camera stands.
+    void set_fields_of_view(const FieldsOfView& set) {
+        now_.field_of_view_deg = set.now, goal_.field_of_view_deg = set.goal;
+        before_top_down_.field_of_view_deg = set.before_top_down;
+    }
+
     // Applies the input of a frame. `aspect`: image width / height. Held keys count for at most 0.25 s per
     // frame.
     void move(const CameraWish& wish, const sim::View& world, const render::Surroundings& around,

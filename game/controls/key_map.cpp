@@ -51,6 +51,7 @@ constexpr std::array kKeyBindings{
                "performance panel"},
     KeyBinding{function_key(6), kAlone, false, Verb::kToggleFilm, "film_panel", "film panel"},
     KeyBinding{function_key(7), kAlone, false, Verb::kToggleMeasure, "measure_panel", "measure panel"},
+    KeyBinding{function_key(8), kAlone, false, Verb::kPhoto, "photo", "photo mode on or off"},
     KeyBinding{Key::kEscape, kAlone, false, Verb::kClosePanel, "close",
                "close a list or a panel; else show the menu"},
     KeyBinding{function_key(9), kAlone, false, Verb::kMenu, "menu", "menu"},

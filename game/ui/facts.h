@@ -24,6 +24,7 @@
 #include "game/controls/image_size.h"
 #include "game/controls/key_map.h"
 #include "game/controls/notices.h"
+#include "game/controls/photo.h"
 #include "game/controls/probe.h"
 #include "game/controls/tick_clock.h"
 #include "game/scene/scenario.h"
@@ -146,6 +147,15 @@ struct HouseMark {
     glm::dvec2 at{0};       // px from the top left
 };
 
+// How a photo will be taken.
+struct PhotoNote {
+    PhotoSettings settings;
+    FocalLengths focal;     // that the camera may have
+    double hour = 12;       // of the light, or of a light like it
+    ScreenSize screen;      // px
+    bool is_taken = false;  // in this frame
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -193,6 +203,7 @@ struct Facts {
     ImageSize image = {};                            // of the world, as last drawn
     std::optional<double> sharing = {};              // 0 to 1, how much of the page of a shared slide is done
     std::optional<double> filming = {};              // 0 to 1, how much of a film is done
+    std::optional<PhotoNote> photo = {};             // in the photo mode, in which nothing else is shown
     bool making_challenge = false;                   // of the slide, in the background
     bool may_try = false;                  // a recording of a challenge was opened, which can be tried
     bool slide_ended = false;              // it has come to rest, and was not shared yet

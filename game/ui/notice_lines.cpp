@@ -51,10 +51,13 @@ void draw_progress(const Desk& desk, double done, const Line& line, ImVec2 from)
 void notices(Desk& desk, const Facts& facts, bool warnings_only) {
     const float margin = desk.margin(), em = desk.em();
     // Beside the time bar if there is room, else above it, beside the readings or the panels.
-    const bool column = desk.right_column > 0 && !desk.narrow() && !desk.panels.hidden();
-    const bool beside = (desk.beside_time_bar() && !column) || desk.panels.hidden();
+    const bool hidden = desk.panels.hidden() || facts.photo;
+    const bool column = desk.right_column > 0 && !desk.narrow() && !hidden;
+    const bool beside = ((desk.beside_time_bar() && !column) || hidden) && !facts.photo;
     const float right = desk.size.x - (column ? desk.right_column : 0);
-    const float room = beside ? desk.time_bar_left : desk.size.x - (kReadingsWidth + 0.6f) * em;
+    const float room = facts.photo ? desk.size.x
+                       : beside    ? desk.time_bar_left
+                                   : desk.size.x - (kReadingsWidth + 0.6f) * em;
     float bottom = (beside ? desk.size.y : desk.lower_edge) - margin;
     if (facts.sharing && !warnings_only) {
         std::array<char, 64> text;

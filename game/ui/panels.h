@@ -109,7 +109,8 @@ void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
 void pad_wheel(Desk& desk, const Facts& facts);  // of a gamepad, while one of its buttons opens it
 void opening(Desk& desk, const Facts& facts);    // instead of all others
-void menu(Desk& desk, const Facts& facts, Actions& actions);  // instead of all others, while it is open
+void photo_bar(Desk& desk, const Facts& facts, Actions& actions);  // instead of all others
+void menu(Desk& desk, const Facts& facts, Actions& actions);       // instead of all others, while it is open
 void guide(Desk& desk, const Facts& facts, Actions& actions);
 void result_card(Desk& desk, const Facts& facts, Actions& actions);
 

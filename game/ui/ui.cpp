@@ -207,6 +207,8 @@ void Ui::build(const Facts& facts, Actions& actions) {
         opening(desk, facts);
     } else if (desk.menu.open) {
         menu(desk, facts, actions);
+    } else if (facts.photo) {
+        photo_bar(desk, facts, actions);
     } else if (!desk.panels.hidden()) {
         toolbar(desk, facts, actions);
         time_bar(desk, facts, actions);
@@ -223,7 +225,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         result_card(desk, facts, actions);
     }
     pad_wheel(desk, facts);
-    notices(desk, facts, desk.panels.hidden() || facts.opening_s);
+    notices(desk, facts, facts.opening_s || (desk.panels.hidden() && !facts.photo));
     ImGui::GetIO().MouseDrawCursor = facts.gamepad && facts.gamepad->in_use();
     ImGui::Render();
 }

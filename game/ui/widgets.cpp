@@ -402,6 +402,14 @@ void Widgets::heading(const char* text) {
     ImGui::PopStyleColor();
 }
 
+void Widgets::caption(const char* text, float width) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float high = letters.small->FontSize;
+    ImGui::Dummy({width, high});  // a text would stand on the line of the widget before
+    ImGui::GetWindowDrawList()->AddText(letters.small, high, from, kDimText, tr(text));
+    if (letters.small->CalcTextSizeA(high, FLT_MAX, 0, tr(text)).x > width) places_.note_cut(tr(text));
+}
+
 void Widgets::dim(const char* format, ...) {
     va_list arguments;
     va_start(arguments, format);

@@ -129,8 +129,9 @@ class Widgets {
     // Starts a row with a label on the left; the next widget fills the rest.
     void row(const char* label);
     void heading(const char* text);
-    void dim(const char* format, ...) IM_FMTARGS(2);                      // small, dim
-    void plain(const char* format, ...) IM_FMTARGS(2);                    // wrapped
+    void caption(const char* text, float width);        // small, over a widget of this width
+    void dim(const char* format, ...) IM_FMTARGS(2);    // small, dim
+    void plain(const char* format, ...) IM_FMTARGS(2);  // wrapped
     void fact(const char* label, const char* format, ...) IM_FMTARGS(3);  // a read-only row
     // Closes the open list the next time it is built.
     void close_choice() { closing_choice_ = true; }

@@ -140,7 +140,7 @@ PowderPuffs::PowderPuffs() {
 }
 
 void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength,
-                       int width, int height) {
+                       int width, int height, bool all) {
     drawn_.clear();
     in_view_.clear();
     opacity_.clear();
@@ -159,7 +159,7 @@ void PowderPuffs::find(std::span<const sim::powder::Puff> puffs, const FrameBloc
     find_in_view(puffs, frame);
     if (in_view_.empty()) return;
     light_and_sort(puffs, glm::vec3(frame.sun));
-    hide_behind_nearer();
+    if (!all) hide_behind_nearer();
     box_ = glm::clamp(box_, -1.f, 1.f);
     parts_ = tiles_.collect();
 }

@@ -86,9 +86,10 @@ class PowderPuffs {
   public:
     PowderPuffs();  // reserves what it needs
 
-    // `strength`: factor on the opacity. `width` and `height` of the frame, samples.
+    // `strength`: factor on the opacity. `width` and `height` of the frame, samples. `all`: also those that nearer ones
+    // hide, which depends on what else is in the frame.
     void find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, float strength, int width,
-              int height);
+              int height, bool all = false);
 
     bool empty() const { return drawn_.empty(); }
     std::span<const DrawnPuff> drawn() const { return drawn_; }

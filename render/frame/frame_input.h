@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "render/buildings/structures.h"
@@ -8,6 +9,7 @@
 #include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
 #include "render/view/flow_so_far.h"
+#include "render/view/lens.h"
 #include "render/view/look.h"
 #include "render/view/wind.h"
 #include "render/woods/woods.h"
@@ -16,6 +18,16 @@
 #include "sim/world/state.h"
 
 namespace render {
+
+// The image of which a frame is a part, pixels, and where the frame begins in it.
+struct WholeImage {
+    int width = 0, height = 0;  // > 0
+    int left = 0, bottom = 0;   // a frame may reach beyond the image
+};
+
+// Pixels along the border of a part in which it may differ from the whole image: smoothed edges, the coarse pixels of sky
+// and powder. Parts begin at multiples of these, so that coarse pixels are the same.
+inline constexpr int kPartOverlap = 24;
 
 // Everything that a frame shows. A plain value, of which draw() keeps nothing: `world`, `flow` and
 // `surroundings` must be valid during the call only.
@@ -29,6 +41,9 @@ struct FrameInput {
     // advected.
     const sim::front::FlowView* flow = nullptr;
     int width = 0, height = 0;  // of the frame, pixels, > 0
+    // The camera's image, if the frame is only a part of it. Parts meet without a seam where they overlap by kPartOverlap.
+    std::optional<WholeImage> whole = {};
+    std::optional<Lens> lens = {};  // none: as the eye sees
     // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
     // It tells deposits and scars from untouched ground. If empty, they are unknown.
     std::span<const float> first_depth = {};
@@ -52,6 +67,8 @@ struct FrameInput {
     // How likely something is at each vertex, 0 to 1, or NaN where nothing is known; row 0 the south; valid during the call.
     // Not empty if marks.probability is not 0.
     std::span<const float> probability = {};
+
+    WholeImage image() const { return whole.value_or(WholeImage{width, height}); }
 
     // Which parts it has.
     bool flows() const { return look.flow && flow; }

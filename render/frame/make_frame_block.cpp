@@ -80,6 +80,18 @@ void set_light(FrameBlock& block, const Light& light) {
                             std::cos(glm::radians(kDiscRadius)));
 }
 
+// The block of a part of the frame's image: the rectangle around `middle`, `size` times as large.
+void set_part(FrameBlock& block, glm::dvec2 size, glm::dvec2 middle) {
+    block.ray_middle += glm::vec4(
+        glm::dvec4(middle.x * glm::dvec3(block.ray_right) + middle.y * glm::dvec3(block.ray_up), 0));
+    block.ray_right = glm::vec4(size.x * glm::dvec4(block.ray_right));
+    block.ray_up = glm::vec4(size.y * glm::dvec3(block.ray_up), block.ray_up.w);
+    glm::dmat4 place(1);
+    place[0][0] = 1 / size.x, place[1][1] = 1 / size.y;
+    place[3][0] = -middle.x / size.x, place[3][1] = -middle.y / size.y;
+    block.clip_from_world = glm::mat4(place * glm::dmat4(block.clip_from_world));
+}
+
 void set_view(FrameBlock& block, const Camera& camera, double datum, double aspect) {
     const glm::dmat4 view = view_matrix(camera);
     const glm::dvec3 up_by_datum(0, 0, datum);
@@ -89,7 +101,9 @@ void set_view(FrameBlock& block, const Camera& camera, double datum, double aspe
     const glm::dmat4 axes = glm::transpose(view);  // its columns: right, up and backward in the world
     block.ray_right = glm::dvec4(glm::dvec3(axes[0]) * reach * aspect, 0);
     block.ray_up = glm::dvec4(glm::dvec3(axes[1]) * reach, 0);
+    block.ray_up.w = glm::length(glm::vec3(block.ray_up));
     block.ray_forward = glm::dvec4(-glm::dvec3(axes[2]), kNear);
+    block.ray_middle = glm::vec4(glm::vec3(block.ray_forward), 0);
 }
 
 void set_marks(FrameBlock& block, const Marks& marks, HeightRange heights, double datum) {
@@ -127,7 +141,8 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     const double side = static_cast<double>(std::max(world.grid.nx, world.grid.ny) - 1) * world.grid.dx;
     FrameBlock block{};
     block.eye.w = static_cast<float>(1 / std::max(kWidestDetail, side / 3));
-    set_view(block, input.camera, world.datum, static_cast<double>(input.width) / input.height);
+    const WholeImage image = input.image();
+    set_view(block, input.camera, world.datum, static_cast<double>(image.width) / image.height);
     set_light(block, input.light);
     block.ground = glm::dvec4(world.grid.dx, heights.lowest - block_depth(world.grid), heights.lowest,
                               std::max(heights.highest, heights.lowest + 1));
@@ -141,10 +156,14 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     block.lower_standing = glm::vec4(look.lower_standing, world.mixture ? 1 : 0);
     block.lower_rolling =
         glm::dvec4(glm::dvec3(look.lower_rolling),
-                   std::clamp(std::log2(kFinishedRows / (input.height * samples)), 0.0, kMostCoarse));
+                   std::clamp(std::log2(kFinishedRows / (image.height * samples)), 0.0, kMostCoarse));
     if (look.turf) block.turf = glm::vec4(*look.turf, 1);
     if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
-    const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (input.height * samples);
+    const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (image.height * samples);
+    if (input.whole) {
+        const glm::dvec2 all(image.width, image.height), frame(input.width, input.height);
+        set_part(block, frame / all, (2.0 * glm::dvec2(image.left, image.bottom) + frame) / all - 1.0);
+    }
     if (flow_tint) {
         block.flow = glm::dvec4(std::max(look.flow->repeats / side, 1 / kWidestFlowTile),
                                 look.flow->everywhere ? FLOW_EVERYWHERE : FLOW_ROLLING, 0, 0);
@@ -164,14 +183,7 @@ FrameBlock coarse_frame_block(const FrameBlock& frame, int samples_across, int s
         coarse((samples_across + 1) / 2, (samples_up + 1) / 2);
     const glm::dvec2 scale = 2.0 * coarse / samples, shift = (2.0 * coarse - 1.0) / samples - 1.0;
     FrameBlock block = frame;
-    block.ray_forward +=
-        glm::vec4(glm::dvec4(shift.x * glm::dvec3(frame.ray_right) + shift.y * glm::dvec3(frame.ray_up), 0));
-    block.ray_right = glm::vec4(scale.x * glm::dvec4(frame.ray_right));
-    block.ray_up = glm::vec4(scale.y * glm::dvec4(frame.ray_up));
-    glm::dmat4 place(1);
-    place[0][0] = 1 / scale.x, place[1][1] = 1 / scale.y;
-    place[3][0] = -shift.x / scale.x, place[3][1] = -shift.y / scale.y;
-    block.clip_from_world = glm::mat4(place * glm::dmat4(frame.clip_from_world));
+    set_part(block, scale, shift);
     block.material.y *= kCoarser;
     block.contours.x = block.contours.z = block.ring.w = block.outline_colour.w = 0;
     return block;

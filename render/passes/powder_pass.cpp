@@ -88,15 +88,16 @@ tl::expected<PowderPass, std::string> PowderPass::create(const std::filesystem::
 }
 
 bool PowderPass::find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
-                      float strength, int width, int height) {
+                      float strength, int width, int height, bool is_part) {
     seen_.clear();
     cloud_.find(puffs.first(std::min(puffs.size(), sim::powder::Cloud::kMost)), frame, strength, width,
-                height);
+                height, is_part);
     if (cloud_.empty()) return false;
     const double samples = static_cast<double>(width) * height;
     const double too_many =
         static_cast<double>(cloud_.covered()) * samples / (kLeastBudget + kBudgetPerSample * samples);
-    divisor_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(too_many))), kFinest, kCoarsest);
+    divisor_ =
+        is_part ? kFinest : std::clamp(static_cast<int>(std::ceil(std::sqrt(too_many))), kFinest, kCoarsest);
     resize(width, height);
     const Rectangle box = pixels(cloud_.box(), static_cast<float>(width), static_cast<float>(height), kRim);
     for (const Rectangle& part : cloud_.parts())

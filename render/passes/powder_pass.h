@@ -22,9 +22,9 @@ class PowderPass {
     static tl::expected<PowderPass, std::string> create(const std::filesystem::path& shaders);
 
     // Finds what is in view of a frame of `width` by `height` samples. Returns false if that is nothing; then do
-    // not draw. `strength`: factor on the opacity.
+    // not draw. `strength`: factor on the opacity. `is_part`: of an image whose other parts must have as many pixels.
     bool find(std::span<const sim::powder::Puff> puffs, const FrameBlock& frame, const Look& look,
-              float strength, int width, int height);
+              float strength, int width, int height, bool is_part);
     // Draws what was found into buffers of its own. Reads SLOT_SCENE_DEPTH, SLOT_DETAIL, SLOT_SUN_CEILING.
     void draw() const;
     // The disjoint parts of the frame where it and its shadow may be seen.

@@ -102,16 +102,19 @@ void Target::begin_air(Parts parts) {
     glBindTextureUnit(SLOT_SCENE_DEPTH, depth_.name());
 }
 
-void Target::begin_picture(Parts parts, bool in_air) const {
-    const Texture& lit = in_air ? air_colour_ : scene_colour_;
+GLuint Target::average(Parts parts, bool in_air) const {
     if (samples_ > 1)  // the linear filter samples halfway between samples and so averages them
         within(parts, [&] {
             glBlitNamedFramebuffer((in_air ? air_ : scene_).name(), averaged_.name(), 0, 0, samples_across(),
                                    samples_up(), 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_LINEAR);
         });
+    return (samples_ > 1 ? averaged_colour_ : in_air ? air_colour_ : scene_colour_).name();
+}
+
+void Target::begin_picture(GLuint colour) const {
     glBindFramebuffer(GL_FRAMEBUFFER, (samples_ > 1 ? output_ : stepped_output_).name());
     glViewport(0, 0, width_, height_);
-    glBindTextureUnit(SLOT_COLOUR, (samples_ > 1 ? averaged_colour_ : lit).name());
+    glBindTextureUnit(SLOT_COLOUR, colour);
 }
 
 void Target::begin_edges(Parts parts) const {

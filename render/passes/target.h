@@ -41,8 +41,10 @@ class Target {
         const;  // binds that sky at SLOT_SKY; draw linear colour, with the depth of the scene
     // Copies the scene, to be drawn over by what floats in the air. Binds depth at SLOT_SCENE_DEPTH.
     void begin_air(Parts parts);
-    // Averages the samples and binds them at SLOT_COLOUR; draw the 8-bit image. `in_air`: of the scene with the air.
-    void begin_picture(Parts parts, bool in_air) const;
+    // Averages the samples, and returns the linear colour of every pixel. `in_air`: of the scene with the air.
+    GLuint average(Parts parts, bool in_air) const;
+    // Binds linear colours at SLOT_COLOUR; draw the 8-bit image.
+    void begin_picture(GLuint colour) const;
     // Binds that image, not decoded, at SLOT_PICTURE, copies it and clears the stencil; draw on the copy. For one
     // sample per pixel.
     void begin_edges(Parts parts) const;

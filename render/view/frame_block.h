@@ -14,7 +14,7 @@ namespace render {
 struct FrameBlock {
     glm::mat4 clip_from_world;
     glm::vec4 eye;
-    glm::vec4 ray_forward, ray_right, ray_up;
+    glm::vec4 ray_forward, ray_right, ray_up, ray_middle;
     glm::vec4 sun;
     glm::vec4 ground;
     glm::ivec4 size;
@@ -31,6 +31,6 @@ struct FrameBlock {
     std::array<glm::vec4, MOST_STOPS> stops;
     glm::vec4 lamp, above, below, toward, away, zenith, glow, cloud, disc;
 };
-static_assert(sizeof(FrameBlock) == 64 + (37 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (38 + MOST_STOPS) * 16);
 
 }  // namespace render

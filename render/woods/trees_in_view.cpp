@@ -41,10 +41,12 @@ constexpr float kShedInSun = 0.5f;  // share of its snow that a tree on a south 
 // Whether a ball around a place, `from` the eye, is beside the image or behind the eye.
 bool is_beside(glm::vec3 from, const FrameBlock& frame, float radius) {
     const float deep = glm::dot(from, glm::vec3(frame.ray_forward));
+    const glm::vec3 middle = glm::vec3(frame.ray_middle - frame.ray_forward);
     const auto outside = [&](const glm::vec4& ray) {
         const float half = glm::length(glm::vec3(ray));  // of the image at a distance of 1
-        return std::abs(glm::dot(from, glm::vec3(ray))) / half >
-               deep * half + radius * std::sqrt(1 + half * half);
+        const float farthest = std::abs(glm::dot(middle, glm::vec3(ray))) / half + half;
+        return std::abs(glm::dot(from - deep * middle, glm::vec3(ray))) / half >
+               deep * half + radius * std::sqrt(1 + farthest * farthest);
     };
     return deep < -radius || outside(frame.ray_right) || outside(frame.ray_up);
 }
@@ -148,7 +150,7 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
     upright_.clear();
     const glm::vec3 eye(frame.eye);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
-    const float frame_height = 2 * glm::length(glm::vec3(frame.ray_up)) / pixel;
+    const float frame_height = 2 * frame.ray_up.w / pixel;
     const float wide_pixels = std::clamp(kWideOfHeight * frame_height, kLeastWide, kMostWide);
     const auto share_at = [&](float distance, float group) {
         return std::clamp(kMeanWidth * group / (distance * pixel) / wide_pixels, group / Woods::kMostTogether,

@@ -1986,6 +1986,87 @@ TEST_F(Sending, takes_screenshots_of_the_world_alone_at_best_quality_while_panel
     }
 }
 
+// F8: the world stands still while camera, lens and light move; afterwards all is as before.
+TEST_F(Sending, takes_photos_in_a_world_that_stands_still_and_gives_everything_back) {
+    begin();
+    const render::Camera camera = app_->camera();
+    const Display display = app_->display();
+    tap(function_key(8));
+    frames(2);
+    ASSERT_TRUE(app_->photo().is_on());
+    const StateLine before = line();
+    frames(4);
+    EXPECT_EQ(line(), before) << "time stands still, though it is not paused";
+    EXPECT_EQ(app_->camera(), camera) << "the first lens is that of the camera";
+    EXPECT_TRUE(shows("Photo bar"));
+    for (const char* label : {"Pour", "Pause"}) EXPECT_FALSE(shows(label)) << label;
+    stroke(2);
+    tap(key('Z'), {false, true, false});
+    tap(key('2'));
+    EXPECT_EQ(line(), before) << "no tool, no key changes anything";
+    EXPECT_EQ(app_->brush().tool, Tool::kPour);
+
+    click("Exposure");
+    click("Focal length");
+    click("Time of day");
+    click("2 ×");
+    const PhotoSettings settings = app_->photo().settings();
+    EXPECT_NEAR(app_->camera().field_of_view_deg, field_of_view_of(settings.focal_mm, 640.0 / 360), 1e-9);
+    EXPECT_NE(app_->camera().field_of_view_deg, camera.field_of_view_deg);
+    ASSERT_TRUE(settings.hour);
+    EXPECT_EQ(app_->display(), display) << "the light of the window does not change";
+    click("Take the photo");
+    wait_until_told("Screenshot: ");
+    const std::string first = last_notice();
+    tap(Key::kEnter);
+    for (int i = 0; i < 1000 && last_notice() == first; ++i) frames(1);
+    ASSERT_EQ(screenshots().size(), 2u);
+    for (const auto& file : screenshots()) {
+        const auto texels = render::read_png(file, 3);
+        ASSERT_TRUE(texels) << texels.error();
+        EXPECT_EQ(texels->width, 1280);
+        EXPECT_EQ(texels->height, 720);
+    }
+    EXPECT_EQ(line(), before);
+
+    tap(Key::kEscape);
+    EXPECT_FALSE(app_->photo().is_on());
+    EXPECT_FALSE(app_->panels().shows_menu());
+    EXPECT_EQ(app_->camera().field_of_view_deg, camera.field_of_view_deg);
+    EXPECT_EQ(app_->display(), display);
+    EXPECT_FALSE(app_->clock().paused()) << "as before";
+    tap(function_key(8));
+    tap(function_key(8));
+    EXPECT_FALSE(app_->photo().is_on());
+}
+
+TEST_F(Sending, says_that_a_photo_cannot_be_written_or_is_too_large) {
+    begin();
+    std::filesystem::create_directory(folder_.path() / "couloir");
+    std::ofstream(folder_.path() / "couloir/screenshots") << "a file";
+    tap(function_key(8));
+    tap(function_key(12));
+    wait_until_told("No screenshot: ");
+    EXPECT_NE(last_notice().find("couloir/screenshots"), std::string::npos) << last_notice();
+    click("4 ×");
+    screen_.limit_side(64);
+    tap(Key::kEnter);
+    wait_until_told("2560×1440");
+    EXPECT_TRUE(app_->photo().is_on());
+}
+
+TEST_F(Sending, leaves_the_photo_mode_with_its_world) {
+    begin();
+    const double before = app_->camera().field_of_view_deg;
+    tap(function_key(8));
+    frames(2);
+    click("Focal length");
+    EXPECT_NE(app_->camera().field_of_view_deg, before);
+    screen_.drop({"landslide"});
+    frames(2);
+    EXPECT_FALSE(app_->photo().is_on());
+}
+
 TEST_F(Sending, says_that_a_screenshot_cannot_be_written) {
     begin();
     std::filesystem::create_directory(folder_.path() / "couloir");

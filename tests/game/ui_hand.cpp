@@ -55,7 +55,8 @@ ui::Facts UiHand::facts() const {
             .languages = languages_.choices(),
             .now_s = screen_.seconds(),
             .sharing = sharing_,
-            .filming = filming_};
+            .filming = filming_,
+            .photo = photo_};
 }
 
 Actions UiHand::frame() {

@@ -56,6 +56,7 @@ class UiHand : public testing::Test {
     std::string recording_ = "/tmp/valley.couloir";
     std::optional<double> sharing_, filming_;
     std::optional<ui::SectionNote> section_;
+    std::optional<ui::PhotoNote> photo_;
     const SlideHistory* history_ = nullptr;
     std::vector<BestRun> best_runs_;
     std::optional<ui::ResultCard> card_;

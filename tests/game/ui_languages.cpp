@@ -50,6 +50,11 @@ class UiLanguages : public UiHand {
             under_cursor_.reset();
         }
         speak_plainly(false);
+        photo_ = ui::PhotoNote{{}, focal_lengths(16.0 / 9), 14.5, {}};
+        look("photo mode");
+        photo_->is_taken = true;
+        look("photo mode, taking one");
+        photo_.reset();
         timeline_ = {.known_until = 100, .watches = true};
         look("watching");
         timeline_ = {};

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "game/controls/key_map.h"
@@ -108,6 +110,32 @@ TEST_F(UiPanels, show_plots_over_time_in_which_a_click_is_a_time) {
     const Actions asked = click("Moving volume");
     ASSERT_FALSE(asked.empty());
     EXPECT_NEAR(static_cast<double>(std::get<SeekTick>(asked.front()).tick), 600, 12);
+}
+
+TEST_F(UiPanels, make_way_for_a_bar_in_the_photo_mode) {
+    ui_->perform(Verb::kToggleScene);
+    photo_ = ui::PhotoNote{{}, focal_lengths(1.6), 14.5, {1600, 1000, 1}};
+    settle();
+    for (const char* label : {"Start", "Pour", "Pause", "Hint"}) EXPECT_FALSE(ui_->find(label)) << label;
+    ASSERT_TRUE(ui_->find("Photo bar"));
+    EXPECT_LT(place("Photo bar").height, 80) << "slim";
+    EXPECT_EQ(only<SetPhoto>(click("4 ×")).settings.times, 4);
+    EXPECT_TRUE(click("1 ×").empty()) << "it is that already";
+    EXPECT_EQ(only<Verb>(click("Take the photo")), Verb::kScreenshot);
+    EXPECT_EQ(only<Verb>(click("Leave")), Verb::kPhoto);
+    const auto set = [&](const char* label) {
+        const Actions asked = click(label);  // in its middle
+        EXPECT_FALSE(asked.empty()) << label;
+        return asked.empty() ? PhotoSettings{} : std::get<SetPhoto>(asked.front()).settings;
+    };
+    EXPECT_NEAR(set("Focal length").focal_mm, std::sqrt(photo_->focal.least * photo_->focal.most), 2);
+    EXPECT_EQ(set("Focal length").hour, std::nullopt) << "the light stays as it was until it is moved";
+    EXPECT_NEAR(set("Time of day").hour.value_or(0), 12, 0.2);
+    photo_->settings.exposure = 2;
+    EXPECT_EQ(set("Exposure").exposure, 0.0);
+    photo_.reset();
+    settle();
+    for (const char* label : {"Start", "Pour", "Pause"}) EXPECT_TRUE(ui_->find(label)) << label;
 }
 
 TEST_F(UiPanels, take_only_the_verbs_that_are_theirs) {

@@ -46,8 +46,8 @@ std::string text_of(const fs::path& path) {
 
 // Whether it has a word, beside what printf and fmt put in and beside units.
 bool has_words(std::string_view text) {
-    static const std::set<std::string, std::less<>> kUnits{"m", "ms", "kPa", "ha", "m³",
-                                                           "s", "km", "MB",  "em"};
+    static const std::set<std::string, std::less<>> kUnits{"m",  "ms", "kPa", "ha", "m³", "s",
+                                                           "km", "MB", "em",  "mm", "EV"};
     std::string word;
     const auto is_word = [&] { return word.size() > 1 && !kUnits.contains(word); };
     for (std::size_t i = 0; i <= text.size(); ++i) {

@@ -1,0 +1,34 @@
+#include "game/app/photo_mode.h"
+
+#include <cmath>
+
+namespace game {
+
+void PhotoMode::begin(const Scenario& scenario, const CameraControl& camera, const render::Light& light,
+                      double aspect) {
+    before_ = camera.fields_of_view();
+    first_mm_ = focal_length_of(before_.now, aspect);
+    settings_ = PhotoSettings{.focal_mm = first_mm_};
+    day_ = photo_day(scenario);
+    hour_ = hour_like(light, day_);
+    light_ = light;
+    announced_ = false;
+}
+
+void PhotoMode::end(CameraControl& camera) {
+    settings_.reset();
+    camera.set_fields_of_view(before_);
+}
+
+// Untouched it is the lens of the camera, bit by bit.
+void PhotoMode::fit(CameraControl& camera, double aspect) {
+    const double view =
+        settings_->focal_mm == first_mm_ ? before_.now : field_of_view_of(settings_->focal_mm, aspect);
+    camera.set_fields_of_view({view, view, view});
+}
+
+render::Lens PhotoMode::lens() const {
+    return {.exposure = std::exp2(settings_->exposure)};
+}
+
+}  // namespace game

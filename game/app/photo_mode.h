@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+
+#include "game/controls/camera_control.h"
+#include "game/controls/photo.h"
+#include "render/view/lens.h"
+
+namespace game {
+
+// The photo mode: how the photo is taken, and what is given back to the camera when it ends. The light of the window
+// never changes: the photo has its own.
+class PhotoMode {
+  public:
+    bool is_on() const { return settings_.has_value(); }
+    // Begins with the lens of the camera and the light as it is. `aspect`: of the image, width / height.
+    void begin(const Scenario& scenario, const CameraControl& camera, const render::Light& light,
+               double aspect);
+    // Gives the camera its field of view back.
+    void end(CameraControl& camera);
+
+    // While it is on:
+    const PhotoSettings& settings() const { return *settings_; }
+    void set(const PhotoSettings& settings) { settings_ = settings; }
+    // Puts the lens onto the camera.
+    void fit(CameraControl& camera, double aspect);
+    double hour() const { return settings_->hour.value_or(hour_); }  // of the sun, or of one like it
+    render::Light light() const { return settings_->hour ? light_at(*settings_->hour, day_) : light_; }
+    render::Lens lens() const;
+
+    // A photo that takes long is announced first. True if that is due, in the next frame; then no more.
+    bool announces() { return announced_ = !announced_; }
+    bool is_announced() const { return announced_; }
+
+  private:
+    std::optional<PhotoSettings> settings_;
+    CameraControl::FieldsOfView before_;
+    PhotoDay day_;
+    double hour_ = 12;
+    double first_mm_ = 0;  // the focal length of the camera before
+    render::Light light_;
+    bool announced_ = false;
+};
+
+}  // namespace game
