@@ -402,7 +402,7 @@ void Renderer::Parts::draw(const Frame& frame) {
     // A photo takes all light that there is; then tones are mapped, because light adds up only while it is linear.
     GLuint light = target.average(redrawn.shown, in_air);
     if (input.lens)
-        light = lens.draw(target, light, *input.lens);
+        light = lens.draw(target, light, *input.lens, input.image().height);
     else
         lens.forget();
     target.begin_picture(light);

@@ -38,6 +38,7 @@
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
 #define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: assets/textures/conifers.png
+#define SLOT_LENS_REACH SLOT_SKY // R16F, while a photo is taken: radii of blocks of pixels
 #define SLOT_COARSE_DEPTH SLOT_SKY // D32F, while the ground of a moving frame is spread: depth of every second sample
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
 #define SLOT_UNITS 31     // number of texture units
@@ -88,6 +89,8 @@
 #define MOST_CHANGE 0.5    // m, change of the standing layer that can still be told from a greater one
 #define STRETCH_KEPT 0.35  // stretch of a flow texture up to which it is drawn whole
 #define STRETCH_GONE 0.7   // and from which it is not drawn
+
+#define LENS_BLOCK 16 // pixels along the edge of a block
 
 #define MOST_STOPS 8 // of a legend
 

@@ -270,7 +270,7 @@ void App::move_camera(double elapsed_s) {
 }
 
 void App::guide_stroke() {
-    if (photo_.is_on()) return;
+    if (photo_.is_on()) return focus_photo();
     if (input_.resize_steps() != 0) hand_.resize(input_.resize_steps(), sandbox_->scenario().grid);
     fit_hand();
     if (input_.brush_pressed() && !begin_section()) begin_stroke();
@@ -280,6 +280,13 @@ void App::guide_stroke() {
     hand_.move_to(at ? std::optional<glm::dvec2>(*at) : std::nullopt);
     draw_section(at);
     if (!input_.brush_held()) hand_.release();  // a click shorter than a tick is still a stroke
+}
+
+// On what is clicked at.
+void App::focus_photo() {
+    if (!input_.brush_pressed() || photo_.settings().f_number <= 0) return;
+    if (const auto at = lookout_.place_under(input_.drag_from(), sandbox_->session().view()))
+        photo_.focus_on(*at);
 }
 
 // A press that begins the line of the cross-section is no stroke; not even where there is no ground.
@@ -607,7 +614,8 @@ void App::draw_world(const FrameTime& time) {
     see_ghost();
     WorldImage::Seen seen{time_.epoch(), sandbox_->session().changed_at(), camera(), display_, marks(),
                           screen_.size()};
-    if (photo_.is_on()) seen.display.light = photo_.light(), seen.lens = photo_.lens();
+    if (photo_.is_on())
+        seen.display.light = photo_.light(), seen.lens = photo_.lens(camera(), lookout_.aspect());
     image_.draw(seen, subject(), {now_s(), time, times()});
     display_.tier = image_.tier();
 }
@@ -629,7 +637,7 @@ void App::take_screenshot() {
     file_.keep();
     Shot shot{sandbox_->scenario(), file_.path().value_or(""), sandbox_->session().state().tick, camera()};
     if (sandbox_->watches()) shot.recording = first_.name + ".couloir";
-    if (photo_.is_on()) shot.photo = photo_.settings();
+    if (photo_.is_on()) shot.photo = photo_.settings(), shot.focus_m = photo_.focus_m(camera());
     const auto begun =
         screenshots_.write(std::move(*picture), dated_name(shot.scenario.scene), texts_of(shot));
     if (!begun) warn(said("No screenshot: {}", begun.error().sentence));
@@ -638,8 +646,9 @@ void App::take_screenshot() {
 
 std::optional<ui::PhotoNote> App::photo_note() const {
     if (!photo_.is_on()) return std::nullopt;
-    return ui::PhotoNote{photo_.settings(), focal_lengths(lookout_.aspect()), photo_.hour(), screen_.size(),
-                         photo_.is_announced()};
+    return ui::PhotoNote{photo_.settings(),     focal_lengths(lookout_.aspect()),
+                         photo_.hour(),         screen_.size(),
+                         photo_.is_announced(), photo_.focus_m(camera())};
 }
 
 // Follows the surface once per second of the world.

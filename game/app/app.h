@@ -108,6 +108,7 @@ class App {
     void perform_all();
     void move_camera(double elapsed_s);
     void guide_stroke();
+    void focus_photo();
     void run_ticks(double elapsed_s, FrameTime& time);
     bool works_in_pause(double tick_s);
     void seek(std::int64_t tick, double begun_s);

@@ -156,7 +156,9 @@ bool App::perform_in_photo(Verb verb) {
 void App::begin_photo() {
     if (screen_.size().width == 0) return;
     hand_.drop();
-    photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, lookout_.aspect());
+    const auto middle = lookout_.place_under({0, 0}, sandbox_->session().view());
+    photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, lookout_.aspect(),
+                 lookout_.ground().value_or(middle.value_or(camera().target)));
 }
 
 void App::end_photo() {

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include <glm/vec3.hpp>
+
 #include "game/controls/camera_control.h"
 #include "game/controls/photo.h"
 #include "render/view/lens.h"
@@ -13,9 +15,10 @@ namespace game {
 class PhotoMode {
   public:
     bool is_on() const { return settings_.has_value(); }
-    // Begins with the lens of the camera and the light as it is. `aspect`: of the image, width / height.
+    // Begins with the lens of the camera and the light as it is. `aspect`: of the image, width / height. `focus`: a
+    // place, m, that is sharp if not all is.
     void begin(const Scenario& scenario, const CameraControl& camera, const render::Light& light,
-               double aspect);
+               double aspect, const glm::dvec3& focus);
     // Gives the camera its field of view back.
     void end(CameraControl& camera);
 
@@ -26,7 +29,9 @@ class PhotoMode {
     void fit(CameraControl& camera, double aspect);
     double hour() const { return settings_->hour.value_or(hour_); }  // of the sun, or of one like it
     render::Light light() const { return settings_->hour ? light_at(*settings_->hour, day_) : light_; }
-    render::Lens lens() const;
+    void focus_on(const glm::dvec3& place) { focus_ = place; }
+    double focus_m(const render::Camera& camera) const;  // distance along the view
+    render::Lens lens(const render::Camera& camera, double aspect) const;
 
     // A photo that takes long is announced first. True if that is due, in the next frame; then no more.
     bool announces() { return announced_ = !announced_; }
@@ -39,6 +44,7 @@ class PhotoMode {
     double hour_ = 12;
     double first_mm_ = 0;  // the focal length of the camera before
     render::Light light_;
+    glm::dvec3 focus_{0};
     bool announced_ = false;
 };
 

@@ -71,6 +71,9 @@ render::PngTexts texts_of(const Shot& shot) {
         texts.emplace_back("Focal length",
                            fmt::format("{:.1f} mm, of a sensor 36 mm wide", shot.photo->focal_mm));
         texts.emplace_back("Exposure", fmt::format("{:+.1f} EV", shot.photo->exposure));
+        if (shot.photo->f_number > 0)
+            texts.emplace_back("Aperture", fmt::format("f/{}, focus at {:.0f} m, of a model 1:{}",
+                                                       shot.photo->f_number, shot.focus_m, kModelScale));
     }
     return texts;
 }

@@ -21,6 +21,7 @@ struct Shot {
     std::filesystem::path recording;  // the session's, or the watched one; empty if there is none
     std::int64_t tick = 0;
     render::Camera camera;
+    double focus_m = 0;                       // of such a photo
     std::optional<PhotoSettings> photo = {};  // how it was taken in the photo mode
 };
 

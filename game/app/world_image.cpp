@@ -288,7 +288,8 @@ Outcome<render::Picture> WorldImage::photo_in_parts(const Subject& subject, int 
     };
     if (pixels > kMostPhotoPixels) return too_large("there is no room");
     const ImageBounds bounds{screen_.longest_side(), bounds_.most_bytes};
-    const auto plan = PhotoParts::plan(screen, times, render::kPartOverlap, bounds);
+    const int rim = PhotoParts::rim_of(seen_.lens, times * screen.height);
+    const auto plan = PhotoParts::plan(screen, times, rim, bounds);
     if (!plan) return too_large("the graphics driver has no buffers");
     try {
         render::Picture photo{plan->width(), plan->height(),

@@ -66,6 +66,14 @@ std::optional<glm::dvec3> Lookout::ground_under(glm::dvec2 point, const sim::Vie
     return mountain && *mountain < glm::distance(ray.from, *ground) ? std::nullopt : ground;
 }
 
+std::optional<glm::dvec3> Lookout::place_under(glm::dvec2 point, const sim::View& world) const {
+    if (const auto ground = ground_under(point, world)) return ground;
+    const render::Ray ray = ray_under(point);
+    const auto mountain = mountain_along(ray, world);
+    if (!mountain) return std::nullopt;
+    return ray.from + *mountain * ray.along;
+}
+
 bool Lookout::mountain_under(glm::dvec2 point, const sim::View& world) const {
     return mountain_along(ray_under(point), world).has_value();
 }

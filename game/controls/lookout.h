@@ -42,6 +42,8 @@ class Lookout {
 
     // Nothing if sky or a mountain is there.
     std::optional<glm::dvec3> ground_under(glm::dvec2 point, const sim::View& world) const;
+    // The same, or else of a mountain beyond the grid.
+    std::optional<glm::dvec3> place_under(glm::dvec2 point, const sim::View& world) const;
     bool mountain_under(glm::dvec2 point, const sim::View& world) const;
 
     // Px from the top left; nothing behind the camera.

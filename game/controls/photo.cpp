@@ -52,6 +52,15 @@ PhotoDay photo_day(const Scenario& scenario) {
     return day;
 }
 
+// The circle of confusion of a thin lens, f² / (N (s − f)) at infinity, on the sensor.
+double blur_of(const PhotoSettings& settings, double focus_m, double aspect) {
+    if (settings.f_number <= 0) return 0;
+    constexpr double kMillimetres = 1000;
+    const double focal = settings.focal_mm, focus = std::max(kMillimetres * focus_m / kModelScale, 2 * focal);
+    const double radius = focal * focal / (settings.f_number * (focus - focal)) / 2;
+    return radius * aspect / kSensorWidth;
+}
+
 // The spherical triangle of pole, zenith and sun, as in Meeus (1998), formulas 13.5 and 13.6.
 render::Light light_at(double hour, const PhotoDay& day) {
     const double turned = glm::radians(kDegreesPerHour * (hour - 12)),

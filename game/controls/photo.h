@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "game/scene/scenario.h"
@@ -14,9 +15,12 @@ struct PhotoSettings {
     double focal_mm = 35;             // focal length in front of a sensor 36 mm wide
     double exposure = 0;              // EV, −kMostExposure to kMostExposure
     std::optional<double> hour = {};  // of the day, 0 to 24, by the sun; nothing: in the light as it was
+    double f_number = 0;              // focal length by diameter of the aperture, kFNumbers; 0: all is sharp
     int times = 1;                    // 1, 2 or 4: as wide and high as the window so many times
     bool operator==(const PhotoSettings&) const = default;
 };
+
+inline constexpr std::array kFNumbers{0.0, 22.0, 16.0, 11.0, 8.0, 5.6, 4.0, 2.8, 2.0, 1.4};
 
 // The vertical field of view, degrees, behind a focal length, mm, and back. `aspect`: width / height of the image.
 double field_of_view_of(double focal_mm, double aspect);
@@ -26,6 +30,11 @@ struct FocalLengths {
     double least, most;
 };
 FocalLengths focal_lengths(double aspect);
+
+// How far the lens blurs what is infinitely far, in heights of the image, while it is sharp at a distance of `focus_m`. A
+// mountain is far away for every lens: the photo is that of a model of it, kModelScale times smaller.
+inline constexpr double kModelScale = 500;
+double blur_of(const PhotoSettings& settings, double focus_m, double aspect);
 
 // A day on which the sun is photographed: where, and at which declination, degrees. The sun culminates at 12 h.
 struct PhotoDay {

@@ -1,6 +1,7 @@
 #include "game/controls/photo_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/core/check.h"
 
@@ -17,6 +18,12 @@ int inner_side(int side, int parts) {
 }
 
 }  // namespace
+
+int PhotoParts::rim_of(const std::optional<render::Lens>& lens, int height) {
+    const double blur =
+        lens && lens->blur > 0 ? render::Lens::kMostBlur * height : 0;  // reaches across the border
+    return kPartStep * (1 + static_cast<int>(std::ceil(blur / kPartStep)));
+}
 
 std::optional<PhotoParts> PhotoParts::plan(const ScreenSize& screen, int times, int rim,
                                            const ImageBounds& bounds) {

@@ -17,6 +17,8 @@ namespace game {
 //     │  │    │   │       │
 class PhotoParts {
   public:
+    // The least rim in which what differs at the border of a frame has room, px.
+    static int rim_of(const std::optional<render::Lens>& lens, int height);
     // The fewest parts along an edge, and at least `times`, of which each fits into the bounds with two by two samples per
     // pixel. `rim`: px, a multiple of render::kPartOverlap. Nothing: even small ones do not fit.
     static std::optional<PhotoParts> plan(const ScreenSize& screen, int times, int rim,

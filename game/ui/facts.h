@@ -154,6 +154,7 @@ struct PhotoNote {
     double hour = 12;       // of the light, or of a light like it
     ScreenSize screen;      // px
     bool is_taken = false;  // in this frame
+    double focus_m = 0;     // how far away is what is sharp, if not all is
 };
 
 // Everything that panels can show. References are valid for one frame.

@@ -59,6 +59,27 @@ bool time_of_day(Desk& desk, const PhotoNote& photo, PhotoSettings& settings, fl
     return true;
 }
 
+// Steps of the aperture, of which the first makes all sharp.
+bool aperture(Desk& desk, const PhotoNote& photo, PhotoSettings& settings, float width) {
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < kFNumbers.size(); ++i)
+        if (kFNumbers.at(i) == settings.f_number) step = i;
+    std::array<char, 48> shown;
+    if (step == 0)
+        std::snprintf(shown.data(), shown.size(), "%s", tr("all is sharp"));
+    else
+        std::snprintf(shown.data(), shown.size(), "f/%.3g, %.0f m", settings.f_number, photo.focus_m);
+    auto value = static_cast<double>(step);
+    if (!captioned(
+            desk, "Depth of field", value,
+            {0, static_cast<double>(kFNumbers.size() - 1), shown.data(), false, false, width},
+            "To the right less is sharp. Click on what is to be sharp. The lens sees a model 500 times "
+            "smaller."))
+        return false;
+    settings.f_number = kFNumbers.at(static_cast<std::size_t>(std::lround(value)));
+    return true;
+}
+
 bool size(Desk& desk, const PhotoNote& photo, PhotoSettings& settings) {
     bool changed = false;
     ImGui::BeginGroup();
@@ -111,6 +132,8 @@ void photo_bar(Desk& desk, const Facts& facts, Actions& actions) {
     changed |= exposure(desk, settings, wide);
     ImGui::SameLine(0, gap);
     changed |= time_of_day(desk, photo, settings, wide);
+    ImGui::SameLine(0, gap);
+    changed |= aperture(desk, photo, settings, wide);
     if (one_row) ImGui::SameLine(0, 2 * gap);
     changed |= size(desk, photo, settings);
     ImGui::SameLine(0, 2 * gap);

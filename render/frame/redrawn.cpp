@@ -18,6 +18,7 @@ FrameKey frame_key_of(const FrameInput& input, const FrameBlock& block) {
     key.flows = input.flows();
     key.lines = input.marks.has_lines();
     key.mesh = input.marks.flow_mesh;
+    key.lens = input.lens.has_value();
     if (key.flows) key.pattern = input.look.flow->pattern;
     if (input.surrounded()) key.surroundings = input.surroundings->fingerprint();
     return key;

@@ -74,6 +74,10 @@ void Target::bind_scene(GLuint colour, GLuint depth) const {
     glBindTextureUnit(depth, depth_.name());
 }
 
+void Target::bind_depth(GLuint slot) const {
+    glBindTextureUnit(slot, depth_.name());
+}
+
 void Target::keep_ground(Parts parts) const {
     copy(depth_, ground_depth_, parts);
     glBindTextureUnit(SLOT_SCENE_DEPTH, ground_depth_.name());

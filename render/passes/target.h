@@ -34,6 +34,7 @@ class Target {
     void begin_shading() const;  // binds depth at SLOT_SCENE_DEPTH for reading; do not write it
     // Binds colour and depth of the scene for reading by another target.
     void bind_scene(GLuint colour, GLuint depth) const;
+    void bind_depth(GLuint slot) const;  // the same, depth alone
     // Keeps the depth drawn so far as that of the ground, and binds it at SLOT_SCENE_DEPTH.
     void keep_ground(Parts parts) const;
     void begin_sky() const;  // draw the sky at a quarter of the resolution; there is no depth

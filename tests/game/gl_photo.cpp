@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <glm/geometric.hpp>
+
 #include "game/controls/photo_parts.h"
 #include "game/scene/mountains.h"
+#include "render/mountain/pick.h"
 #include "tests/game/drawn_scene.h"
 
 namespace game::test {
@@ -63,38 +66,78 @@ class GlPhoto : public OffScreen {
         return renderer_->read_back();
     }
 
+    // Distance along the view to what the middle of the image shows.
+    double in_the_middle() const {
+        const render::Camera& camera = *sandbox_->scenario().camera;
+        const auto at =
+            render::pick(sandbox_->session().view(), render::ray_through(camera, 16.0 / 9, {0, 0}));
+        EXPECT_TRUE(at);
+        return at ? glm::distance(*at, render::eye(camera)) : 1;
+    }
+
     std::optional<render::Renderer> renderer_;
     std::optional<Sandbox> sandbox_;
     render::Surroundings mountains_;
     render::Woods woods_;
-    render::Lens lens_;
+    std::optional<render::Lens> lens_;
 };
 
-// Pixels whose difference is seen: dither and rounding change a colour by 2 at most.
-int different(const render::Picture& a, const render::Picture& b, int most) {
+// Pixels inside a border whose difference is seen: dither and rounding change a colour by 2 at most.
+int different(const render::Picture& a, const render::Picture& b, int border) {
+    constexpr int kUnseen = 3;
     int pixels = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-        int largest = 0;
-        for (std::size_t c = i; c < i + 3; ++c)
-            largest = std::max(largest, std::abs(int{a.pixels[c]} - int{b.pixels[c]}));
-        pixels += largest > most;
-    }
+    for (int y = border; y < a.height - border; ++y)
+        for (int x = border; x < a.width - border; ++x) {
+            const auto at = static_cast<std::size_t>(3 * (y * a.width + x));
+            int largest = 0;
+            for (std::size_t c = at; c < at + 3; ++c)
+                largest = std::max(largest, std::abs(int{a.pixels[c]} - int{b.pixels[c]}));
+            pixels += largest > kUnseen;
+        }
     return pixels;
 }
 
 TEST_F(GlPhoto, meets_without_a_seam_where_its_parts_do) {
-    const auto plan = PhotoParts::plan({200, 112, 1}, 2, render::kPartOverlap, {});
-    ASSERT_TRUE(plan);
-    ASSERT_EQ(plan->parts(), 4);
-    const render::Picture parts = in_parts(*plan), once = at_once(plan->width(), plan->height());
-    ASSERT_EQ(parts.width, once.width);
-    ASSERT_EQ(parts.height, once.height);
-    EXPECT_LE(different(parts, once, 3), 400 * 224 / 2000);
+    for (const double blur : {0.0, 0.02}) {
+        lens_ = render::Lens{.blur = blur, .focus_m = in_the_middle()};
+        const auto plan = PhotoParts::plan({200, 112, 1}, 2, PhotoParts::rim_of(lens_, 224), {});
+        ASSERT_TRUE(plan);
+        ASSERT_EQ(plan->parts(), 4);
+        const render::Picture parts = in_parts(*plan), once = at_once(plan->width(), plan->height());
+        ASSERT_EQ(parts.width, once.width);
+        ASSERT_EQ(parts.height, once.height);
+        // At the border of the photo a lens sees more in parts than at once.
+        EXPECT_LE(different(parts, once, blur > 0 ? 7 : 0), 400 * 224 / 2000) << blur;
+    }
+}
+
+TEST_F(GlPhoto, is_sharp_where_its_lens_is_focused_and_blurred_elsewhere) {
+    const auto contrast = [](const render::Picture& photo, int x0, int x1, int y0, int y1) {
+        int sum = 0;
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x) {
+                const auto at = static_cast<std::size_t>(3 * (y * photo.width + x));
+                sum += std::abs(int{photo.pixels[at]} - int{photo.pixels[at + 3]});
+            }
+        return sum;
+    };
+    const render::Picture sharp = at_once(320, 180);
+    lens_ = render::Lens{.blur = 0.02, .focus_m = in_the_middle()};
+    const render::Picture focused = at_once(320, 180);
+    lens_->focus_m = 10;
+    const render::Picture near = at_once(320, 180);
+    const auto middle = [&](const render::Picture& photo) { return contrast(photo, 156, 164, 87, 93); };
+    const auto all = [&](const render::Picture& photo) { return contrast(photo, 0, 319, 0, 180); };
+    EXPECT_GE(middle(focused), 0.7 * middle(sharp));
+    EXPECT_LE(middle(near), 0.6 * middle(sharp));
+    EXPECT_LE(all(near), 0.6 * all(sharp));
+    EXPECT_LE(all(near), all(focused));
+    EXPECT_LE(all(focused), all(sharp));
 }
 
 TEST_F(GlPhoto, takes_twice_the_light_with_each_step_of_exposure) {
     const render::Picture before = at_once(80, 45);
-    lens_.exposure = 0.5;
+    lens_ = render::Lens{.exposure = 0.5};
     const render::Picture after = at_once(80, 45);
     const auto light = [](std::uint8_t code) { return std::pow((code / 255.0 + 0.055) / 1.055, 2.4); };
     int dark = 0;
@@ -104,6 +147,8 @@ TEST_F(GlPhoto, takes_twice_the_light_with_each_step_of_exposure) {
         ++dark;
     }
     EXPECT_GT(dark, 100);
+    lens_.reset();
+    EXPECT_TRUE(at_once(80, 45).pixels == before.pixels) << "without a lens all is as before";
 }
 
 }  // namespace

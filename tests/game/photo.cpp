@@ -20,6 +20,18 @@ TEST(Photo, has_the_focal_lengths_of_a_sensor_36_mm_wide) {
     }
 }
 
+TEST(Photo, is_blurred_as_by_a_thin_lens_before_a_model) {
+    PhotoSettings settings{.focal_mm = 50};
+    EXPECT_EQ(blur_of(settings, 1000, 1.5), 0) << "all is sharp";
+    settings.f_number = 2.8;
+    // 50 mm at f/2.8, focused at 2 m: a circle of 0.458 mm on a sensor 24 mm high.
+    EXPECT_NEAR(blur_of(settings, 2 * kModelScale, 1.5), 0.458 / 2 / 24, 1e-5);
+    settings.f_number = 5.6;
+    EXPECT_NEAR(blur_of(settings, 2 * kModelScale, 1.5), 0.458 / 4 / 24, 1e-5);
+    EXPECT_LT(blur_of(settings, 1, 1.5), 1) << "nearer than the lens can be focused";
+    for (std::size_t i = 2; i < kFNumbers.size(); ++i) EXPECT_LT(kFNumbers[i], kFNumbers[i - 1]);
+}
+
 TEST(Photo, has_a_sun_that_rises_in_the_east_and_culminates_in_the_south_at_noon) {
     const PhotoDay day;
     const render::Light noon = light_at(12, day);

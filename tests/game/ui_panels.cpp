@@ -131,6 +131,7 @@ TEST_F(UiPanels, make_way_for_a_bar_in_the_photo_mode) {
     EXPECT_NEAR(set("Focal length").focal_mm, std::sqrt(photo_->focal.least * photo_->focal.most), 2);
     EXPECT_EQ(set("Focal length").hour, std::nullopt) << "the light stays as it was until it is moved";
     EXPECT_NEAR(set("Time of day").hour.value_or(0), 12, 0.2);
+    EXPECT_NEAR(set("Depth of field").f_number, 7, 1.5);
     photo_->settings.exposure = 2;
     EXPECT_EQ(set("Exposure").exposure, 0.0);
     photo_.reset();
