@@ -285,7 +285,7 @@ void App::guide_stroke() {
 // On what is clicked at.
 void App::focus_photo() {
     if (!input_.brush_pressed() || photo_.settings().f_number <= 0) return;
-    if (const auto at = lookout_.place_under(input_.drag_from(), sandbox_->session().view()))
+    if (const auto at = lookout_.land_under(input_.drag_from(), sandbox_->session().view()))
         photo_.focus_on(*at);
 }
 
@@ -711,12 +711,23 @@ void App::measure() {
                           [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, session.view()); });
 }
 
+void App::label_slide() {
+    if (!display_.labels) return;
+    const ScreenSize size = screen_.size();
+    const sim::View world = sandbox_->session().view();
+    open_.slide_labels.trace(
+        *sandbox_, {camera(), size.width, size.height, time_.epoch()},
+        [&](glm::dvec2 place) { return lookout_.seen_on_screen(place, world); },
+        [&](glm::dvec2 point) { return lookout_.land_under(point, world); });
+}
+
 void App::draw_panels() {
     const Session& session = sandbox_->session();
     trace_goal();
     trace_dam();
     trace_runs();
     measure();
+    label_slide();
     std::optional<Reading> reading;
     if (const auto& ground = lookout_.ground())
         reading = open_.probe->read(session.view(), glm::dvec2(*ground));
@@ -751,6 +762,8 @@ void App::draw_panels() {
             .section = ui_.shows_measures() ? std::optional(open_.measuring.note()) : std::nullopt,
             .history = ui_.shows_measures() ? &open_.measuring.history() : nullptr,
             .houses = ui_.shows_measures() ? open_.measuring.houses() : std::span<const ui::HouseMark>(),
+            .slide_labels = display_.labels ? open_.slide_labels.labels() : std::span<const ui::SlideLabel>(),
+            .compass = display_.labels ? open_.slide_labels.compass() : std::nullopt,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),

@@ -22,6 +22,7 @@
 #include "game/app/settings.h"
 #include "game/app/sharing.h"
 #include "game/app/shown_runs.h"
+#include "game/app/slide_labels.h"
 #include "game/app/sounds.h"
 #include "game/app/time_marks.h"
 #include "game/app/tutorial.h"
@@ -181,6 +182,7 @@ class App {
     bool begin_section();  // false: the press is no part of it
     void draw_section(const std::optional<glm::dvec3>& at);
     void measure();
+    void label_slide();
     void open_run(std::int64_t run);
     render::Camera home() const;
     void tell_camera_mode();
@@ -232,6 +234,7 @@ class App {
         GoalLines goal_lines;
         DamLines dam_lines;
         Measuring measuring;
+        SlideLabels slide_labels;
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
         SessionPicture picture;
         TimeMarks marks;

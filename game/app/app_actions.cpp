@@ -101,6 +101,9 @@ void App::perform(Verb verb) {
             return share();
         case Verb::kPhoto:
             return begin_photo();
+        case Verb::kLabels:
+            display_.labels = !display_.labels;
+            return;
         case Verb::kScreenshot:
             return screenshots_.ask();
         case Verb::kSlowMotion:
@@ -156,7 +159,7 @@ bool App::perform_in_photo(Verb verb) {
 void App::begin_photo() {
     if (screen_.size().width == 0) return;
     hand_.drop();
-    const auto middle = lookout_.place_under({0, 0}, sandbox_->session().view());
+    const auto middle = lookout_.land_under({0, 0}, sandbox_->session().view());
     photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, lookout_.aspect(),
                  lookout_.ground().value_or(middle.value_or(camera().target)));
 }

@@ -30,6 +30,7 @@ void each_setting(Settings& s, Each& each) {
     each.language("language", d.language);
     each.flag("field_words", d.field_words);
     each.flag("contours", d.contours);
+    each.flag("labels", d.labels);
     each.flag("trees", d.trees);
     each.flag("ghost", d.ghost);
     each.flag("end_points", d.ends);

@@ -62,6 +62,7 @@ enum class Verb {
     kTogglePanels,  // all of them, and what is in the corners
     kShare,         // page and recording of the slide in a new folder
     kPhoto,         // toggles the photo mode
+    kLabels,        // toggles those of the slide
     kScreenshot,    // of the world alone; in the photo mode the photo
     kFullscreen,
     kMute,  // toggles sound

@@ -17,6 +17,7 @@ struct Display {
 
     render::Overlay overlay = render::Overlay::kNone;
     bool contours = false;
+    bool labels = false;            // names of the parts of a slide, north and scale
     bool flow_mesh = false;         // texture mesh with edges, fronts and points
     sim::fields::FlowNumbers flow;  // in flow demos
     render::Light light;            // the scene's until the user moves the sun

@@ -43,6 +43,7 @@ constexpr std::array kKeyBindings{
     KeyBinding{key('T'), kAlone, false, Verb::kTopDown, "top_view", "top view on or off"},
     KeyBinding{key('F'), kAlone, false, Verb::kFly, "fly", "fly mode on or off"},
     KeyBinding{key('V'), kAlone, false, Verb::kChase, "follow", "follow the front of a slide, or stop that"},
+    KeyBinding{key('N'), kAlone, false, Verb::kLabels, "labels", "labels of the slide on or off"},
     KeyBinding{function_key(1), kAlone, false, Verb::kToggleHelp, "help", "this help"},
     KeyBinding{function_key(2), kAlone, false, Verb::kToggleScene, "scene_panel", "scene panel"},
     KeyBinding{function_key(3), kAlone, false, Verb::kTogglePhysics, "physics_panel", "physics panel"},

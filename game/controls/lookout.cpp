@@ -66,7 +66,7 @@ std::optional<glm::dvec3> Lookout::ground_under(glm::dvec2 point, const sim::Vie
     return mountain && *mountain < glm::distance(ray.from, *ground) ? std::nullopt : ground;
 }
 
-std::optional<glm::dvec3> Lookout::place_under(glm::dvec2 point, const sim::View& world) const {
+std::optional<glm::dvec3> Lookout::land_under(glm::dvec2 point, const sim::View& world) const {
     if (const auto ground = ground_under(point, world)) return ground;
     const render::Ray ray = ray_under(point);
     const auto mountain = mountain_along(ray, world);
@@ -89,8 +89,12 @@ std::optional<glm::dvec2> Lookout::on_screen(glm::dvec3 place) const {
 std::optional<glm::dvec2> Lookout::seen_on_screen(glm::dvec2 place, const sim::View& world) const {
     const glm::dvec3 at(place, surface_height(world, place));
     const auto on = on_screen(at);
-    if (!on || render::is_hidden(world, at, render::eye(camera()))) return std::nullopt;
-    return on;
+    const glm::dvec3 eye = render::eye(camera());
+    if (!on || render::is_hidden(world, at, eye)) return std::nullopt;
+    constexpr double kEarly = 0.98;  // as is_hidden(): a mountain that begins at the place does not hide it
+    const double away = glm::distance(eye, at);
+    const auto mountain = mountain_along({eye, (at - eye) / away}, world);
+    return mountain && *mountain < kEarly * away ? std::nullopt : on;
 }
 
 }  // namespace game

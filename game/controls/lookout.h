@@ -42,13 +42,13 @@ class Lookout {
 
     // Nothing if sky or a mountain is there.
     std::optional<glm::dvec3> ground_under(glm::dvec2 point, const sim::View& world) const;
-    // The same, or else of a mountain beyond the grid.
-    std::optional<glm::dvec3> place_under(glm::dvec2 point, const sim::View& world) const;
     bool mountain_under(glm::dvec2 point, const sim::View& world) const;
+    // The same, but a place on a mountain if one is there; nothing for sky alone.
+    std::optional<glm::dvec3> land_under(glm::dvec2 point, const sim::View& world) const;
 
     // Px from the top left; nothing behind the camera.
     std::optional<glm::dvec2> on_screen(glm::dvec3 place) const;
-    // The same for a place on the ground; nothing either if other ground hides it.
+    // The same for a place on the ground; nothing either if other ground or a mountain hides it.
     std::optional<glm::dvec2> seen_on_screen(glm::dvec2 place, const sim::View& world) const;
 
   private:

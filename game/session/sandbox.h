@@ -78,6 +78,8 @@ class Sandbox {
 
     // What is left of each of the goal's tools until now. Only of a world with a goal.
     GoalUse goal_use() const;
+    // The user's commands in known time, sorted by tick. Valid until the next tick.
+    std::span<const TimedCommand> by_hand() const { return by_hand_; }
     // What was done in this world, its own commands and a person's apart. What was done in a recording before it was
     // taken over counts as a person's.
     History history() const;

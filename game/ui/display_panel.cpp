@@ -58,6 +58,8 @@ bool colours(Desk& desk, const Facts& facts, Display& display) {
         desk.widgets.dim("Pressure needs the density of every material, and a file here has none.");
     if (facts.runs) changed |= probability(desk, *facts.runs, display);
     changed |= desk.widgets.toggle("Contours", display.contours, "Lines of equal height.");
+    changed |= desk.widgets.toggle("Labels", display.labels,
+                                   "Names of the parts of the largest slide, with north and a scale.");
     changed |= desk.widgets.toggle("Fronts", display.flow_mesh,
                                    "Shows the texture mesh, cut along the fronts, and the front points.");
     changed |=

@@ -13,6 +13,7 @@
 
 #include "game/analysis/best_runs.h"
 #include "game/analysis/slide_history.h"
+#include "game/analysis/slide_parts.h"
 #include "game/controls/brush.h"
 #include "game/controls/camera_control.h"
 #include "game/controls/catalogue.h"
@@ -157,6 +158,19 @@ struct PhotoNote {
     double focus_m = 0;     // how far away is what is sharp, if not all is
 };
 
+// Where a part of the slide is on the screen.
+struct SlideLabel {
+    SlideParts::Part part = SlideParts::Part::kCrown;
+    glm::dvec2 at{0};  // px from the top left
+};
+
+// Where north is, and how large the ground is drawn.
+struct Compass {
+    glm::dvec2 north{0, -1},
+        east{1, 0};  // arrows on the ground as seen, 1 long across the view; down is positive
+    std::optional<double> metre_px = {};  // a metre across the view; nothing if no ground is seen
+};
+
 // Everything that panels can show. References are valid for one frame.
 struct Facts {
     const Scenario& scenario;  // initial state of the world; its params are the defaults
@@ -179,6 +193,8 @@ struct Facts {
     std::optional<SectionNote> section = {};  // none: its panel is closed
     const SlideHistory* history = nullptr;    // the same
     std::span<const HouseMark> houses = {};   // the same
+    std::span<const SlideLabel> slide_labels = {};
+    std::optional<Compass> compass = {};      // none: labels are off
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;

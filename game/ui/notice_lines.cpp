@@ -83,6 +83,7 @@ void notices(Desk& desk, const Facts& facts, bool warnings_only) {
         const ImVec2 from{right - margin - size.x, bottom - size.y};
         draw(desk, line, from);
         desk.widgets.note(notice.sentence, from, {from.x + size.x, bottom});
+        desk.widgets.keep_clear({from, {from.x + size.x, bottom}});
         bottom = from.y - margin / 2;
     }
 }

@@ -8,6 +8,7 @@
 #include "game/ui/card_map.h"
 #include "game/ui/facts.h"
 #include "game/ui/key_choice.h"
+#include "game/ui/label_layout.h"
 #include "game/ui/menu.h"
 #include "game/ui/scene_pictures.h"
 #include "game/ui/widgets.h"
@@ -69,6 +70,7 @@ struct Desk {
     Widgets widgets;
     ScenePictures pictures, shelf_pictures;  // of scenes; of what the user has made
     CardMap card_map;
+    LabelLayout labels;
     OpenPanels panels;
     Menu menu;
     FilmWish film;
@@ -105,6 +107,7 @@ void stroke_note(Desk& desk, const Facts& facts);
 void dam(Desk& desk, const Facts& facts);
 void run_ends(Desk& desk, const Facts& facts);
 void section_line(Desk& desk, const Facts& facts);  // on the terrain
+void slide_labels(Desk& desk, const Facts& facts);  // on the terrain; after all that they keep clear of
 void challenge(Desk& desk, const Facts& facts, Actions& actions);
 void title(Desk& desk, float strength);
 void pad_wheel(Desk& desk, const Facts& facts);  // of a gamepad, while one of its buttons opens it

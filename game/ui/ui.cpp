@@ -226,6 +226,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
     }
     pad_wheel(desk, facts);
     notices(desk, facts, facts.opening_s || (desk.panels.hidden() && !facts.photo));
+    if (!facts.opening_s && !facts.photo && !desk.menu.open) slide_labels(desk, facts);
     ImGui::GetIO().MouseDrawCursor = facts.gamepad && facts.gamepad->in_use();
     ImGui::Render();
 }

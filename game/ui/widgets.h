@@ -79,6 +79,10 @@ class Widgets {
     // Tooltips of the next frame keep clear of this.
     void keep_clear(const Box& box);
     void keep_window_clear(const char* label);  // the current one
+    // All of them so far in this frame.
+    std::span<const Box> kept_clear() const {
+        return std::span(occupied_next_.boxes).first(occupied_next_.size);
+    }
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);

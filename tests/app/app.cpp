@@ -257,8 +257,11 @@ TEST_F(Playing, allocates_nothing_in_a_frame_among_things_once_it_has_played_for
     screen_.resize_to(1280, 720);
     begin("protection", 0);
     tap(key('4'));
+    tap(key('N'));
     screen_.move(640, 420);
     frames(200);
+    ASSERT_TRUE(app_->display().labels);
+    EXPECT_TRUE(app_->panels().find("Front"));
     ASSERT_GT(mass().rolling, 0);
     ASSERT_GE(state().things->budget, 0);
     int quiet = 0, without = 0;

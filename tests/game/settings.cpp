@@ -41,7 +41,7 @@ class KeptSettings : public testing::Test {
 Settings changed() {
     Settings settings;
     Display& display = settings.display;
-    display.contours = true;
+    display.contours = display.labels = true;
     display.language = "de";
     display.field_words = true;
     display.trees = display.ghost = display.ends = false;

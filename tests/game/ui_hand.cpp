@@ -39,6 +39,8 @@ ui::Facts UiHand::facts() const {
             .card = card_ ? &*card_ : nullptr,
             .section = section_,
             .history = history_,
+            .slide_labels = slide_labels_,
+            .compass = compass_,
             .best_runs = best_runs_,
             .actions_to_undo = actions_to_undo_,
             .actions_to_redo = actions_to_redo_,

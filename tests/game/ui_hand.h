@@ -58,6 +58,8 @@ class UiHand : public testing::Test {
     std::optional<ui::SectionNote> section_;
     std::optional<ui::PhotoNote> photo_;
     const SlideHistory* history_ = nullptr;
+    std::vector<ui::SlideLabel> slide_labels_;
+    std::optional<ui::Compass> compass_;
     std::vector<BestRun> best_runs_;
     std::optional<ui::ResultCard> card_;
     std::optional<GoalUse> goal_use_;

@@ -360,6 +360,10 @@ TEST_F(UiPanels, change_one_thing_of_the_display_and_leave_the_rest) {
     EXPECT_EQ(only<SetDisplay>(click("Contours")).display, expected);
 
     expected = display_;
+    expected.labels = true;
+    EXPECT_EQ(only<SetDisplay>(click("Labels")).display, expected);
+
+    expected = display_;
     expected.flow_mesh = true;
     EXPECT_EQ(only<SetDisplay>(click("Fronts")).display, expected);
 
