@@ -500,10 +500,15 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
            "--audio", options.audio,
            "write what is heard at the camera to this file: as long as the replay, two channels, 16 bits")
         ->type_name("FILE.wav");
+    app.add_option(
+           "--poster", options.poster,
+           "draw a page for the wall here: the slide at the end of the replay, its map and its numbers")
+        ->type_name("FILE.png");
     add_look(app, options.look);
     app.add_flag_callback(
-        "--no-render", [&options] { options.pictures.folder.reset(), options.film = {}; },
-        "disable rendering (overrides --frames and --video)");
+        "--no-render",
+        [&options] { options.pictures.folder.reset(), options.film = {}, options.poster.reset(); },
+        "disable rendering (overrides --frames, --video and --poster)");
     add_results(app, options.results);
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);

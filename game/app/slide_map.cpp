@@ -13,7 +13,6 @@
 namespace game {
 namespace {
 
-constexpr int kHeight = 240;      // px; about one and a half of what the card shows
 constexpr float kAspect = 2;      // the most by which a side is longer than the other
 constexpr float kMargin = 0.12f;  // of the slide, on each side
 // Of the top speed, from slow to fast; sRGB.
@@ -76,8 +75,12 @@ void add_marks(const Session& session, std::span<const TimedCommand> by_hand, ui
 
 }  // namespace
 
+std::span<const glm::vec3> speed_colours() {
+    return kSpeeds;
+}
+
 std::shared_ptr<const ui::SlideMap> map_of_slide(const Scenario& scenario, const Session& session,
-                                                 std::span<const TimedCommand> by_hand) {
+                                                 std::span<const TimedCommand> by_hand, int height) {
     const Peaks& peaks = session.peaks();
     const sim::Grid& grid = scenario.grid;
     const Box slide = box_of_extent(grid, peaks.depth);
@@ -85,9 +88,9 @@ std::shared_ptr<const ui::SlideMap> map_of_slide(const Scenario& scenario, const
     const Box frame = framed(slide, grid);
 
     const glm::vec2 size = frame.last - frame.first;  // cells
-    const float scale = kHeight / size.y;
+    const float scale = static_cast<float>(height) / size.y;
     const int width = static_cast<int>(std::lround(scale * size.x));
-    render::Sheet sheet(width, kHeight);
+    render::Sheet sheet(width, height);
     const Relief relief(scenario, frame.first + 0.5f, frame.last - 0.5f, {0, 0}, scale);
     float fastest = 0;
     for (std::size_t i = 0; i < peaks.depth.size(); ++i)
@@ -101,7 +104,7 @@ std::shared_ptr<const ui::SlideMap> map_of_slide(const Scenario& scenario, const
     });
 
     auto map = std::make_shared<ui::SlideMap>();
-    map->width = width, map->height = kHeight;
+    map->width = width, map->height = height, map->fastest = static_cast<double>(fastest);
     map->texels = std::move(sheet.picture.pixels);
     map->south_west = glm::dvec2(frame.first) * static_cast<double>(grid.dx);
     map->north_east = glm::dvec2(frame.last) * static_cast<double>(grid.dx);

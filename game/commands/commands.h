@@ -78,6 +78,7 @@ struct ReplayOptions : OutputOptions {
     LookFrom look = LookFrom::kShipped;
     std::optional<Viewpoint> view;  // none: the recording's camera
     std::optional<std::filesystem::path> audio;
+    std::optional<std::filesystem::path> poster;
     sim::StepOptions step_options;
     Memory memory;
 };

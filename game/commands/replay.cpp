@@ -6,11 +6,13 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/analysis/summary.h"
+#include "game/app/poster.h"
 #include "game/base/print.h"
 #include "game/commands/outputs.h"
 #include "game/compare/desync_picture.h"
 #include "game/files/assets.h"
 #include "game/files/file_use.h"
+#include "game/files/text_file.h"
 #include "game/recording/file_hash.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/scene.h"
@@ -91,6 +93,11 @@ Outcome<int> replay(const ReplayOptions& options) {
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
     Outputs::add_to(memory.use, options);
+    if (options.poster) {
+        memory.use.draws = true;
+        memory.use.frames.width = std::max(memory.use.frames.width, Poster::kPicture.width);
+        memory.use.frames.height = std::max(memory.use.frames.height, Poster::kPicture.height);
+    }
     auto recording = read_recording(*path, memory);
     if (!recording) return tl::unexpected(recording.error());
     if (recording->warning) print_line(stderr, "couloir: warning: {}", *recording->warning);
@@ -115,6 +122,8 @@ Outcome<int> replay(const ReplayOptions& options) {
     Outputs::add_to(use, options);
     use.writes_into("--frames", options.pictures.folder, kFrameNames);
     use.writes("--audio", options.audio);
+    use.writes("--poster", options.poster);
+    if (options.poster) use.reads(drawing_assets());
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     const std::int64_t last = options.until.value_or(recording->last_tick());
     std::optional<render::Camera> front;  // where the film is seen from
@@ -129,6 +138,11 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (!outputs) return tl::unexpected(outputs.error());
     if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
     const render::Camera camera = scenario.camera.value_or(render::overview(session->view()));
+    if (options.poster) {
+        if (auto placed = make_place_for(*options.poster); !placed) return tl::unexpected(placed.error());
+        session->follow_powder(scenario);
+        session->follow_fronts(scenario);
+    }
     std::optional<sound::SoundFile> audio;
     if (options.audio) {
         session->follow_powder(scenario);  // which is heard too
@@ -188,6 +202,14 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (auto closed = audio->close(); !closed) return tl::unexpected(closed.error());
     if (auto closed = outputs->close(*session, recording->commands); !closed)
         return tl::unexpected(closed.error());
+
+    if (options.poster) {
+        const auto page = Poster::draw({scenario, *session, recording->commands, path->stem().string()},
+                                       options.pictures.gl);
+        if (!page) return tl::unexpected(page.error());
+        if (auto written = render::write_png(*page, *options.poster); !written)
+            return machine_fails(written.error());
+    }
 
     const Measures measures = measure(scenario, *session, release_area(scenario, recording->commands), {});
     Summary summary{scenario, *session, measures, &outputs->perf(), std::nullopt, std::nullopt};

@@ -68,6 +68,7 @@ struct SlideMap {
     int width = 0, height = 0;                // px
     std::vector<std::uint8_t> texels;         // red, green, blue; from the top row down
     glm::dvec2 south_west{0}, north_east{0};  // m, its corners
+    double fastest = 0;                       // m/s, the top speed on it
     struct Mark {
         glm::dvec2 at{0};  // m
         enum class Kind : std::uint8_t { kCommand, kIntact, kDamaged, kDestroyed } kind = Kind::kCommand;

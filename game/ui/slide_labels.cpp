@@ -27,14 +27,6 @@ void line_on_snow(ImDrawList& list, ImVec2 from, ImVec2 to, float em) {
     list.AddLine(from, to, kText, 0.09f * em);
 }
 
-// The longest of 1, 2 or 5 times a power of ten, m, that is no longer than this.
-double round_length(double most) {
-    const double power = std::pow(10, std::floor(std::log10(most)));
-    for (const double times : {5., 2.})
-        if (times * power <= most) return times * power;
-    return power;
-}
-
 void draw_arrow(ImDrawList& list, ImVec2 middle, const Compass& compass, const Letters& letters, float em) {
     constexpr float kTip = 0.6f, kTail = 0.95f, kNotch = 0.65f, kHalfWidth = 0.5f;  // em
     const ImVec2 tip = sum(middle, compass.north, kTip * em), tail = sum(middle, compass.north, -kTail * em),

@@ -456,6 +456,13 @@ void Widgets::warn_over_foot(const char* label, const char* text) {
     places_.note(text, from, to);
 }
 
+double round_length(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (const double times : {5., 2.})
+        if (times * power <= most) return times * power;
+    return power;
+}
+
 const char* write_number(std::span<char> text, const char* format, double value) {
     std::snprintf(text.data(), text.size(), format, value);
     // Groups digits in threes, from the decimal point to the left.

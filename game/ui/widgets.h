@@ -170,6 +170,9 @@ class Widgets {
     double hovered_s_ = 0, elapsed_s_ = 0;
 };
 
+// The longest of 1, 2 or 5 times a power of ten that is no longer than this.
+double round_length(double most);
+
 // Numbers as panels have them, with a blank between thousands. Each writes into `text`, cut to fit, and returns it.
 // "12 345 m", from a printf format with one number at its beginning.
 const char* write_number(std::span<char> text, const char* format, double value);
