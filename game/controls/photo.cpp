@@ -75,10 +75,11 @@ render::Light light_at(double hour, const PhotoDay& day) {
 }
 
 double hour_like(const render::Light& light, const PhotoDay& day) {
-    constexpr double kStep = 0.25;
+    constexpr int kPerHour = 4;
     double best = 12, most = -2;
-    for (double hour = 0; hour < 24; hour += kStep) {
-        const double likeness = glm::dot(direction_to(light), direction_to(light_at(hour, day)));
+    for (int i = 0; i < 24 * kPerHour; ++i) {
+        const double hour = static_cast<double>(i) / kPerHour,
+                     likeness = glm::dot(direction_to(light), direction_to(light_at(hour, day)));
         if (likeness > most) most = likeness, best = hour;
     }
     return best;
