@@ -276,7 +276,7 @@ void App::tell_made() {
     if (!made) return;
     if (!*made) return warn(said("No challenge: {}", made->error().sentence));
     list_own();
-    tell(said("Your challenge, gold from {} m, is in the Scene panel: {}", (*made)->gold,
+    tell(said("Your challenge, gold from {} m, is in the menu under My hill: {}", (*made)->gold,
               (*made)->file.string()));
 }
 

@@ -160,7 +160,7 @@ void guide(Desk& desk, const Facts& facts, Actions& actions) {
         actions.insert(actions.end(),
                        {Action(GuideWish{GuideWish::kNext}), Action(Open{Guide::kChallenge, {}})});
     if (asks) ImGui::SameLine();
-    if (asks ? desk.widgets.button("Later", "The Scene panel has all challenges.")
+    if (asks ? desk.widgets.button("Later", "The menu has all challenges.")
              : desk.widgets.icon_button("Close hint", Icon::kClose,
                                         "Closes this hint and goes on to the next."))
         actions.emplace_back(GuideWish{GuideWish::kNext});
