@@ -21,13 +21,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFolder = "languages";
+constexpr std::size_t kMostLanguages = 64;  // of a folder
 
-std::vector<fs::path> catalogues_in(const fs::path& folder) {
+// At most so many, the first by name; `told` if there are more.
+std::vector<fs::path> catalogues_in(const fs::path& folder, std::vector<std::string>& told) {
     std::vector<fs::path> files;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         if (entry->path().extension() == ".po") files.push_back(entry->path());
     std::ranges::sort(files);
+    if (files.size() > kMostLanguages) {
+        told.push_back(fmt::format("{}: more than {} languages; the last ones are left out", folder.string(),
+                                   kMostLanguages));
+        files.resize(kMostLanguages);
+    }
     return files;
 }
 
@@ -49,9 +56,9 @@ Outcome<Language> read_language(const fs::path& file) {
 Languages Languages::of_user() {
     Languages all;
     std::vector<fs::path> files;
-    if (const auto own = data_folder(kFolder)) files = catalogues_in(*own);
+    if (const auto own = data_folder(kFolder)) files = catalogues_in(*own, all.told_);
     if (const auto assets = assets_folder())
-        std::ranges::copy(catalogues_in(*assets / kFolder), std::back_inserter(files));
+        std::ranges::copy(catalogues_in(*assets / kFolder, all.told_), std::back_inserter(files));
     std::vector<std::shared_ptr<const Language>> read;
     for (const fs::path& file : files) {
         auto language = read_language(file);

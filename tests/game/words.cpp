@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -264,6 +265,55 @@ TEST_F(Catalogues, are_refused_with_their_line_if_they_are_damaged) {
     EXPECT_FALSE(read_whole(""));
     EXPECT_FALSE(read("msgid \"" + std::string(5000, 'a') + "\"\nmsgstr \"b\"\n"));
     EXPECT_FALSE(read(std::string(2 << 20, '#')));
+}
+
+TEST_F(Catalogues, of_a_person_come_first_and_damaged_ones_are_told) {
+    const fs::path own = folder_.path() / "couloir/languages";
+    fs::create_directories(own);
+    const auto write = [&](const std::string& name, const std::string& text) {
+        std::ofstream(own / name) << text;
+    };
+    write("de.po", std::string(kHeader).replace(std::string(kHeader).find("xx"), 2, "de"));
+    write("broken.po", "msgid\n");
+    write("notes.txt", "no language");
+    setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+    const Languages some = Languages::of_user();
+    for (int i = 0; i < 70; ++i) write("many" + std::to_string(i) + ".po", kHeader);
+    const Languages many = Languages::of_user();
+    unsetenv("XDG_DATA_HOME");
+    ASSERT_EQ(some.choices().size(), 2u);
+    EXPECT_EQ(some.choices()[0].name, "English");
+    EXPECT_EQ(some.choices()[1].code, "de");
+    EXPECT_EQ(some.choices()[1].name, "Xish");
+    ASSERT_EQ(some.told().size(), 1u);
+    EXPECT_NE(some.told()[0].find("broken.po:1:"), std::string::npos) << some.told()[0];
+    ASSERT_EQ(many.told().size(), 2u);
+    EXPECT_NE(many.told()[0].find("more than 64 languages"), std::string::npos) << many.told()[0];
+}
+
+TEST(Languages, are_asked_for_by_the_system_as_gettext_reads_it) {
+    const std::vector<LanguageChoice> choices{{"en", "English"}, {"de", "Deutsch"}, {"pt_BR", "Português"}};
+    const auto asked = [&](const char* all, const char* lang, const char* wishes) {
+        std::map<std::string, std::string> before;
+        const std::pair<const char*, const char*> given[]{
+            {"LC_ALL", all}, {"LC_MESSAGES", ""}, {"LANG", lang}, {"LANGUAGE", wishes}};
+        for (const auto& [name, value] : given) {
+            if (const char* const was = std::getenv(name)) before[name] = was;
+            setenv(name, value, 1);
+        }
+        const std::string code = language_of_system(choices);
+        for (const auto& [name, value] : given) {
+            unsetenv(name);
+            if (before.contains(name)) setenv(name, before[name].c_str(), 1);
+        }
+        return code;
+    };
+    EXPECT_EQ(asked("", "de_AT.UTF-8", ""), "de");
+    EXPECT_EQ(asked("", "pt_BR.UTF-8", ""), "pt_BR");
+    EXPECT_EQ(asked("", "fr_FR.UTF-8", "fr:de"), "de");
+    EXPECT_EQ(asked("", "fr_FR.UTF-8", ""), "en");
+    EXPECT_EQ(asked("C.UTF-8", "de_DE.UTF-8", "de"), "en");
+    EXPECT_EQ(asked("", "", "de"), "en");
 }
 
 // Each would be read as a number or a text that is not there.
