@@ -46,8 +46,8 @@ bool passes(ImVec2 from, ImVec2 to, const Box& box) {
     float first = 0, last = 1;
     const auto cut = [&](float start, float step, float least, float most) {
         if (step == 0) return least <= start && start <= most;
-        const auto [in, out] = std::minmax((least - start) / step, (most - start) / step);
-        first = std::max(first, in), last = std::min(last, out);
+        const float one = (least - start) / step, other = (most - start) / step;
+        first = std::max(first, std::min(one, other)), last = std::min(last, std::max(one, other));
         return first <= last;
     };
     return cut(from.x, to.x - from.x, box.from.x, box.to.x) &&

@@ -65,9 +65,9 @@ TEST_F(UiLabels, are_hidden_until_they_are_wanted) {
 TEST_F(UiLabels, overlap_neither_each_other_nor_bars_and_panels) {
     compass_.emplace().metre_px = 0.7;
     for (const Part part : {Part::kCrown, Part::kStauchwall, Part::kTrack, Part::kFront, Part::kDeposit})
-        put(part, {640 + 3.0 * static_cast<int>(part), 300});
+        put(part, {640 + 16.0 * static_cast<int>(part), 300});
     settle();
-    EXPECT_EQ(shown(), 5) << "there is room around a crowd";
+    EXPECT_EQ(shown(), 5) << "there is room around places a plate's height apart";
     expect_clear();
     under_cursor_.emplace();
     card_ = ui::ResultCard{"The bowl", "Your slide", "", "", std::nullopt, {}};
