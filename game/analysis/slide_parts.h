@@ -11,6 +11,7 @@
 
 #include "game/scene/scenario.h"
 #include "game/session/peak_watch.h"
+#include "game/words/words.h"
 #include "sim/world/state.h"
 
 namespace game {
@@ -28,6 +29,8 @@ class SlideParts {
         kDeposit,     // where most new material is at rest; nothing while there is a front
     };
     static constexpr std::size_t kParts = 5;
+    static constexpr std::array<const char*, kParts> kNames{
+        message("Crown"), message("Stauchwall"), message("Track"), message("Front"), message("Deposit")};
 
     static constexpr double kFast = 2;         // m/s in plan; slower flow has no front
     static constexpr double kLeastFast = 0.2;  // of the volume at rest: if less is fast, there is no front
@@ -37,7 +40,7 @@ class SlideParts {
         10;  // cells in plan from crown to toe; a shorter slide has no track
 
     // `start`: the world at tick 0. `commands`: in any number of lists; a slab is what those that blast released at once,
-    // and what rolls at tick 0.
+    // and the rolling layer of tick 0.
     void find(const Scenario& start, const sim::View& world, const Peaks& peaks,
               std::span<const std::span<const TimedCommand>> commands);
 

@@ -92,8 +92,7 @@ void App::begin_as_kept(SettingsFile settings, std::optional<Tier> tier) {
     display_ = now_set_.display;
     if (!settings_.told().empty()) warn(settings_.told());
     for (const std::string& told : languages_.told()) warn(told);
-    languages_.choose(display_.language);
-    spoken_ = display_.language;
+    speak_as_chosen();
     if (!tier) tier = now_set_.tier;
     if (tier)
         display_.tier = *tier;

@@ -262,7 +262,7 @@ class App {
     SettingsFile settings_;
     Settings now_set_;  // settings_now()
     Languages languages_;
-    std::string spoken_;  // of the display, when the language was chosen
+    std::optional<std::string> spoken_;  // of the display, when the language was chosen
     Input input_{now_set_.keys};
     Gamepad gamepad_;
     std::vector<Event> events_;  // of a frame in which there is a gamepad

@@ -115,7 +115,7 @@ void App::perform(Verb verb) {
         case Verb::kFieldWords:
             display_.field_words = !display_.field_words;
             return tell(tr(display_.field_words ? "The field's words: standing and rolling layer, aspect"
-                                                : "Plain words: what lies, what moves, where it faces"));
+                                                : "Plain words: cover, flow, where a slope faces"));
         case Verb::kMute:
             display_.volumes.muted = !display_.volumes.muted;
             return tell(tr(display_.volumes.muted ? "Sound off" : "Sound on"));

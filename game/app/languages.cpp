@@ -81,12 +81,7 @@ Languages Languages::of_user() {
 void Languages::choose(std::string_view code) {
     const std::string wanted = code.empty() ? language_of_system(choices_) : std::string(code);
     const auto found = std::ranges::find(choices_, wanted, &LanguageChoice::code);
-    chosen_ = found == choices_.end() ? 0 : static_cast<std::size_t>(found - choices_.begin());
-    speak(read_[chosen_]);
-}
-
-const std::string& Languages::code() const {
-    return choices_[chosen_].code;
+    speak(found == choices_.end() ? nullptr : read_[static_cast<std::size_t>(found - choices_.begin())]);
 }
 
 std::string language_of_system(const std::vector<LanguageChoice>& choices) {

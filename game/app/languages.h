@@ -27,14 +27,11 @@ class Languages {
 
     // Speaks the language of this code; an empty one: that of the system. English if there is none.
     void choose(std::string_view code);
-    // That which is spoken.
-    const std::string& code() const;
 
   private:
     std::vector<LanguageChoice> choices_{{"en", "English"}};
     std::vector<std::shared_ptr<const Language>> read_{nullptr};  // as choices_
     std::vector<std::string> told_;
-    std::size_t chosen_ = 0;
 };
 
 // Reads a catalogue. Errors: as Language::from_text() says; it cannot be read (3).

@@ -21,6 +21,7 @@
 #include "game/base/version.h"
 #include "game/compare/lettering.h"
 #include "game/scene/surface.h"
+#include "game/ui/card_map.h"
 #include "game/ui/label_layout.h"
 #include "game/ui/widgets.h"
 #include "render/mountain/overview.h"
@@ -81,18 +82,12 @@ std::optional<glm::vec2> seen_at(const Gallery& gallery, const sim::View& world,
     const glm::dvec3 at(place, surface_height(world, place)), eye = render::eye(camera);
     const glm::dvec4 clip = render::projection_matrix(camera, kWidth / kHeight) *
                             (render::view_matrix(camera) * glm::dvec4(at, 1));
-    if (clip.w <= 0 || render::is_hidden(world, at, eye)) return std::nullopt;
-    const double away = glm::distance(eye, at);
-    const auto mountain = gallery.surroundings().meet(eye - glm::dvec3(0, 0, world.datum), (at - eye) / away);
-    constexpr double kEarly = 0.98;  // as in Lookout::seen_on_screen()
-    if (mountain && *mountain < kEarly * away) return std::nullopt;
+    if (clip.w <= 0 || render::is_hidden(world, gallery.surroundings(), at, eye)) return std::nullopt;
     return glm::vec2((clip.x / clip.w + 1) / 2 * kWidth, (1 - clip.y / clip.w) / 2 * kHeight);
 }
 
 void label_picture(Page& page, const Poster::Subject& subject, const Gallery& gallery,
                    const render::Camera& camera, glm::vec2 corner) {
-    constexpr std::array<const char*, SlideParts::kParts> kNames{"Crown", "Stauchwall", "Track", "Front",
-                                                                 "Deposit"};
     constexpr float kEdge = 12;  // px
     const sim::View world = subject.session.view();
     SlideParts parts;
@@ -103,9 +98,10 @@ void label_picture(Page& page, const Poster::Subject& subject, const Gallery& ga
         const auto& place = parts.at(static_cast<SlideParts::Part>(i));
         const auto at = place ? seen_at(gallery, world, camera, *place) : std::nullopt;
         if (!at) continue;
-        labels.push_back({.at = {corner.x + at->x, corner.y + at->y},
-                          .size = {page.usual.width(kNames[i]) + 2 * kEdge, page.usual.height() + kEdge},
-                          .key = i});
+        labels.push_back(
+            {.at = {corner.x + at->x, corner.y + at->y},
+             .size = {page.usual.width(SlideParts::kNames[i]) + 2 * kEdge, page.usual.height() + kEdge},
+             .key = i});
     }
     const ui::Box room{
         {corner.x + kEdge, corner.y + kEdge},
@@ -120,7 +116,8 @@ void label_picture(Page& page, const Poster::Subject& subject, const Gallery& ga
         page.sheet.line(at, at, 16, kPosterPlate);
         page.sheet.line(at, at, 11, kPosterLight);
         page.box(from, to, kPosterPlate);
-        page.usual.write(page.sheet, from + glm::vec2(kEdge, kEdge / 2), kNames[label.key], kPosterLight);
+        page.usual.write(page.sheet, from + glm::vec2(kEdge, kEdge / 2), SlideParts::kNames[label.key],
+                         kPosterLight);
     }
 }
 
@@ -129,24 +126,25 @@ using Mark = ui::SlideMap::Mark;
 struct MarkName {
     Mark::Kind kind;
     const char* name;
-    glm::vec3 colour;
 };
-const std::array<MarkName, 4> kMarkNames{{{Mark::Kind::kCommand, "where it was set off", {255, 214, 92}},
-                                          {Mark::Kind::kIntact, "house", {244, 246, 248}},
-                                          {Mark::Kind::kDamaged, "damaged house", {240, 160, 60}},
-                                          {Mark::Kind::kDestroyed, "destroyed house", {214, 60, 52}}}};
+constexpr std::array<MarkName, 4> kMarkNames{{{Mark::Kind::kCommand, "where it was set off"},
+                                              {Mark::Kind::kIntact, "house"},
+                                              {Mark::Kind::kDamaged, "damaged house"},
+                                              {Mark::Kind::kDestroyed, "destroyed house"}}};
 
 // Houses are squares, and what was done is a ring.
-void draw_map_mark(Page& page, glm::vec2 at, const MarkName& mark) {
+void draw_map_mark(Page& page, glm::vec2 at, Mark::Kind kind) {
     constexpr float kHalf = 7;
-    if (mark.kind == Mark::Kind::kCommand) {
+    const auto packed = ImGui::ColorConvertU32ToFloat4(ui::mark_colour(kind));
+    const glm::vec3 colour = 255.f * glm::vec3(packed.x, packed.y, packed.z);
+    if (kind == Mark::Kind::kCommand) {
         page.sheet.line(at, at, 3 * kHalf, kPosterInk);
-        page.sheet.line(at, at, 2.2f * kHalf, mark.colour);
+        page.sheet.line(at, at, 2.2f * kHalf, colour);
         page.sheet.line(at, at, kHalf, kPosterInk);
         return;
     }
     page.box(at - kHalf - 3.f, at + kHalf + 3.f, kPosterInk);
-    page.box(at - kHalf, at + kHalf, mark.colour);
+    page.box(at - kHalf, at + kHalf, colour);
 }
 
 // A bar of a round length, and an arrow: north is up.
@@ -182,7 +180,7 @@ void draw_key(Page& page, glm::vec2 at, const ui::SlideMap& map) {
     at.y += 92;
     for (const MarkName& mark : kMarkNames) {
         if (std::ranges::find(map.marks, mark.kind, &Mark::kind) == map.marks.end()) continue;
-        draw_map_mark(page, at + glm::vec2(14, 16), mark);
+        draw_map_mark(page, at + glm::vec2(14, 16), mark.kind);
         page.small.write(page.sheet, at + glm::vec2(46, 0), mark.name, kPosterInk);
         at.y += 40;
     }
@@ -208,7 +206,7 @@ void draw_map_column(Page& page, const Poster::Subject& subject) {
         constexpr float kInside = 14;
         if (glm::any(glm::lessThan(at, corner + kInside)) || glm::any(glm::greaterThan(at, end - kInside)))
             continue;
-        draw_map_mark(page, at, *std::ranges::find(kMarkNames, mark.kind, &MarkName::kind));
+        draw_map_mark(page, at, mark.kind);
     }
     const float below = corner.y + static_cast<float>(map->height);
     draw_scale_and_north(page, {corner.x, below + 90}, metre_px);

@@ -89,12 +89,7 @@ std::optional<glm::dvec2> Lookout::on_screen(glm::dvec3 place) const {
 std::optional<glm::dvec2> Lookout::seen_on_screen(glm::dvec2 place, const sim::View& world) const {
     const glm::dvec3 at(place, surface_height(world, place));
     const auto on = on_screen(at);
-    const glm::dvec3 eye = render::eye(camera());
-    if (!on || render::is_hidden(world, at, eye)) return std::nullopt;
-    constexpr double kEarly = 0.98;  // as is_hidden(): a mountain that begins at the place does not hide it
-    const double away = glm::distance(eye, at);
-    const auto mountain = mountain_along({eye, (at - eye) / away}, world);
-    return mountain && *mountain < kEarly * away ? std::nullopt : on;
+    return on && !render::is_hidden(world, surroundings(), at, render::eye(camera())) ? on : std::nullopt;
 }
 
 }  // namespace game

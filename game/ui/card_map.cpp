@@ -15,21 +15,20 @@ void draw_mark(ImDrawList& list, ImVec2 at, SlideMap::Mark::Kind kind, float em)
     using Kind = SlideMap::Mark::Kind;
     const float half = 0.28f * em;
     const ImVec2 from{at.x - half, at.y - half}, to{at.x + half, at.y + half};
-    constexpr ImU32 kInk = IM_COL32(20, 22, 28, 255), kCommand = IM_COL32(255, 214, 92, 255),
-                    kIntact = IM_COL32(244, 246, 248, 255), kDamaged = IM_COL32(240, 160, 60, 255),
-                    kDestroyed = IM_COL32(214, 60, 52, 255);
+    constexpr ImU32 kInk = IM_COL32(20, 22, 28, 255);
+    const ImU32 colour = mark_colour(kind);
     if (kind == Kind::kCommand) {
         list.AddCircle(at, half * 1.2f, kInk, 0, 0.32f * em);
-        return list.AddCircle(at, half * 1.2f, kCommand, 0, 0.16f * em);
+        return list.AddCircle(at, half * 1.2f, colour, 0, 0.16f * em);
     }
     if (kind == Kind::kDestroyed) {
-        for (const auto& [ink, width] : {std::pair(kInk, 0.32f), std::pair(kDestroyed, 0.18f)}) {
+        for (const auto& [ink, width] : {std::pair(kInk, 0.32f), std::pair(colour, 0.18f)}) {
             list.AddLine(from, to, ink, width * em);
             list.AddLine({from.x, to.y}, {to.x, from.y}, ink, width * em);
         }
         return;
     }
-    list.AddRectFilled(from, to, kind == Kind::kIntact ? kIntact : kDamaged);
+    list.AddRectFilled(from, to, colour);
     list.AddRect(from, to, kInk, 0, 0, 0.1f * em);
     if (kind == Kind::kDamaged) list.AddLine(from, to, kInk, 0.1f * em);
 }

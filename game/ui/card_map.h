@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "game/controls/action.h"
@@ -8,6 +9,13 @@
 #include "render/gl/gl_handle.h"
 
 namespace game::ui {
+
+// Of a mark on a map. What became of a house shows by shape on the card too.
+constexpr ImU32 mark_colour(SlideMap::Mark::Kind kind) {
+    constexpr ImU32 kColours[]{IM_COL32(255, 214, 92, 255), IM_COL32(244, 246, 248, 255),
+                               IM_COL32(240, 160, 60, 255), IM_COL32(214, 60, 52, 255)};
+    return kColours[static_cast<std::size_t>(kind)];
+}
 
 // The map of the result card. A click on it turns the camera to that place.
 class CardMap {

@@ -13,8 +13,6 @@
 namespace game::ui {
 namespace {
 
-constexpr std::array<const char*, SlideParts::kParts> kPartNames{"Crown", "Stauchwall", "Track", "Front",
-                                                                 "Deposit"};
 constexpr float kPlateEdge = 0.4f, kCompassHeight = 3.4f, kLongestBar = 9;  // em
 
 ImVec2 sum(ImVec2 at, glm::dvec2 away, float times) {
@@ -85,7 +83,7 @@ std::optional<Box> draw_compass(Desk& desk, const Compass& compass, const Box& r
 
 void draw_label(Desk& desk, const LabelLayout::Label& label, ImDrawList& list) {
     const float em = desk.em(), edge = kPlateEdge * em;
-    const char* const name = kPartNames[label.key];
+    const char* const name = SlideParts::kNames[label.key];
     line_on_snow(list, label.at, label.line_end, em);
     list.AddCircleFilled(label.at, 0.26f * em, faded(kAccentText, 0.8f));
     list.AddCircleFilled(label.at, 0.17f * em, kText);
@@ -115,7 +113,7 @@ void slide_labels(Desk& desk, const Facts& facts) {
     std::size_t wanted = 0;
     for (const SlideLabel& label : facts.slide_labels) {
         const auto key = static_cast<std::size_t>(label.part);
-        const ImVec2 size = ImGui::CalcTextSize(tr(kPartNames[key]));
+        const ImVec2 size = ImGui::CalcTextSize(tr(SlideParts::kNames[key]));
         labels[wanted++] = {.at = {static_cast<float>(label.at.x), static_cast<float>(label.at.y)},
                             .size = {size.x + 2 * edge, size.y + edge},
                             .key = key};

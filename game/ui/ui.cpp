@@ -269,8 +269,7 @@ std::optional<Ui::Place> Ui::find(std::string_view label) const {
 
 std::vector<std::string> Ui::cut() const {
     std::vector<std::string> words;
-    for (const Places::Place& place : parts_->desk.widgets.places().cut())
-        words.emplace_back(place.label.data());
+    for (const Places::CutWords& each : parts_->desk.widgets.places().cut()) words.emplace_back(each.data());
     return words;
 }
 

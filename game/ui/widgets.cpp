@@ -86,20 +86,12 @@ void Places::note(std::string_view label) {
 
 void Places::note(std::string_view label, ImVec2 from, ImVec2 to) {
     if (size_ == kMost) return;
-    Place& place = places_[size_++];
-    const std::size_t length = std::min(label.size(), place.label.size() - 1);
-    std::copy_n(label.begin(), length, place.label.begin());
-    place.label[length] = 0;
-    place.from = from;
-    place.to = to;
+    Place& place = places_[size_++] = {.from = from, .to = to};
+    CutText(place.label).add(label);
 }
 
 void Places::note_cut(std::string_view words) {
-    if (cut_ == places_cut_.size()) return;
-    Place& place = places_cut_[cut_++];
-    const std::size_t length = std::min(words.size(), place.label.size() - 1);
-    std::copy_n(words.begin(), length, place.label.begin());
-    place.label[length] = 0;
+    if (cut_ < cut_words_.size()) CutText(cut_words_[cut_++]).add(words);
 }
 
 const Places::Place* Places::find(std::string_view label) const {

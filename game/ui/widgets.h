@@ -25,7 +25,8 @@ class Places {
     void clear() { size_ = cut_ = 0; }
     // Words that have no room where they stand. For tests, which look for such.
     void note_cut(std::string_view words);
-    std::span<const Place> cut() const { return std::span(places_cut_).first(cut_); }
+    using CutWords = std::array<char, 64>;
+    std::span<const CutWords> cut() const { return std::span(cut_words_).first(cut_); }
     // Records ImGui's last item, if its centre is visible.
     void note(std::string_view label);
     void note(std::string_view label, ImVec2 from, ImVec2 to);
@@ -34,7 +35,7 @@ class Places {
 
   private:
     std::array<Place, kMost> places_;
-    std::array<Place, 16> places_cut_;
+    std::array<CutWords, 16> cut_words_;
     std::size_t size_ = 0, cut_ = 0;
 };
 

@@ -11,6 +11,8 @@
 namespace render {
 namespace {
 
+constexpr double kEarly = 0.02;  // of the distance to a place: ground met there does not hide it
+
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // Extent of a triangle beyond its edges, in cells, so that no ray slips through between two triangles.
 constexpr double kOverlap = 1e-9;
@@ -133,10 +135,16 @@ std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray) {
 }
 
 bool is_hidden(const sim::View& world, glm::dvec3 place, glm::dvec3 eye) {
-    constexpr double kEarly = 0.02;  // of the distance
     const double away = glm::distance(eye, place);
     const auto met = pick(world, {eye, (place - eye) / away});
     return met && glm::distance(eye, *met) < away * (1 - kEarly);
+}
+
+bool is_hidden(const sim::View& world, const Surroundings& around, glm::dvec3 place, glm::dvec3 eye) {
+    if (is_hidden(world, place, eye)) return true;
+    const double away = glm::distance(eye, place);
+    const auto met = around.meet(eye - glm::dvec3(0, 0, world.datum), (place - eye) / away);
+    return met && *met < away * (1 - kEarly);
 }
 
 }  // namespace render

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
 #include "sim/world/state.h"
 
@@ -26,5 +27,7 @@ std::optional<glm::dvec3> pick(const sim::View& world, const Ray& ray);
 
 // Whether ground between a place and the eye hides it. One that lies on the ground may be met a fiftieth of the way early.
 bool is_hidden(const sim::View& world, glm::dvec3 place, glm::dvec3 eye);
+// The same, or a mountain around that ground.
+bool is_hidden(const sim::View& world, const Surroundings& around, glm::dvec3 place, glm::dvec3 eye);
 
 }  // namespace render

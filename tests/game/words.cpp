@@ -355,8 +355,8 @@ TEST(Words, that_are_plain_have_the_places_of_those_of_the_field) {
     }
     EXPECT_STREQ(tr("Standing"), "Standing");
     speak_plainly(true);
-    EXPECT_STREQ(tr("Standing"), "Lying");
-    EXPECT_EQ(tr(std::string_view("rolling layer")), "what moves");
+    EXPECT_STREQ(tr("Standing"), "Cover");
+    EXPECT_EQ(tr(std::string_view("rolling layer")), "flow");
     EXPECT_STREQ(tr("Pressure"), "Pressure");
     speak_plainly(false);
 }
