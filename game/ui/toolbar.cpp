@@ -12,7 +12,7 @@
 namespace game::ui {
 namespace {
 
-constexpr float kToolbarWidth = 62, kToolbarWidthOfGoal = 40, kNameWidth = 3.8f;  // em
+constexpr float kNameWidth = 3.8f;  // em
 
 // Places groups of known width side by side, and continues on the next line if the row is full.
 class Flow {
@@ -27,7 +27,6 @@ class Flow {
             used_ = -gap;
         used_ += width + (used_ != 0 ? gap : 0);
     }
-    void new_row() { used_ = 0; }
     float left() const { return most_ - used_; }  // in this row, px
 
   private:
@@ -164,13 +163,13 @@ void earth(Desk& desk, const Facts& facts, Flow& flow) {
 // Limits a brush to ground of some slopes.
 void slopes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     if (!sim::info_of(info_of(facts.brush.tool).plain->kind).has_slope) return;
-    const float width = (desk.narrow() ? 5.f : 6.5f) * desk.em(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (desk.narrow() ? 7.5f : 8.f) * desk.em(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
     constexpr double kNarrowest = 1;  // degrees
     Brush brush = facts.brush;
     flow.next(2 * width + gap, desk.em());
     bool changed = desk.widgets.slider(
         "Least slope", brush.least_slope,
-        {sim::Command::kNoLeast, sim::Command::kNoMost, "Slope %.0f°", false, false, width},
+        {sim::Command::kNoLeast, sim::Command::kNoMost, "Slopes from %.0f°", false, false, width},
         "The tool leaves ground alone that is less steep.");
     if (changed) brush.most_slope = std::max(brush.most_slope, brush.least_slope + kNarrowest);
     ImGui::SameLine(0, gap);
@@ -282,28 +281,37 @@ void past(Desk& desk, const Facts& facts, Actions& actions) {
 
 void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     const float margin = desk.margin(), padding = 2 * ImGui::GetStyle().WindowPadding.x;
-    const float most = desk.size.x - 2 * margin;
+    const float most = desk.size.x - 2 * margin, gap = ImGui::GetStyle().ItemSpacing.x;
     const auto width = [&](bool wordless) {
         return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
     };
     const bool wordless = width(false) > most;
-    // Always as wide, so that no button moves when another tool is chosen. A challenge has few.
-    const float usual = desk.em() * (facts.scenario.goal ? kToolbarWidthOfGoal : kToolbarWidth);
-    const float wide = std::min(std::max(usual, width(wordless)), most);
+    // As wide with every tool, so that no button moves when another one is chosen.
+    const float wide = std::min(width(wordless), most);
     ImGui::SetNextWindowPos({desk.size.x / 2, margin}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, desk.size.y});
     ImGui::Begin("Toolbar", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
-    Flow flow(wide - padding, ImGui::GetStyle().ItemSpacing.x);
+    Flow buttons(wide - padding, gap);
     ImGui::BeginDisabled(facts.looks_back());
-    tools(desk, facts, wordless, actions, flow);
+    tools(desk, facts, wordless, actions, buttons);
     ImGui::EndDisabled();
-    panel_buttons(desk, facts, actions, flow);
-    if (width(wordless) <= most) flow.new_row();
-    // A small window has no room for what cannot be used.
-    if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, flow);
-    if (facts.looks_back()) past(desk, facts, actions);
-    desk.toolbar_bottom = margin + ImGui::GetWindowSize().y;
+    panel_buttons(desk, facts, actions, buttons);
+    const ImVec2 from = ImGui::GetWindowPos();
+    const float bottom = from.y + ImGui::GetWindowSize().y;
     desk.widgets.keep_window_clear("Toolbar");
+    ImGui::End();
+
+    // Below it, as wide as what the tool in the hand needs.
+    const float room = desk.size.x - margin - from.x, apart = desk.narrow() ? -1 : margin / 3;  // px
+    ImGui::SetNextWindowPos({from.x, bottom + apart});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {room, desk.size.y});
+    ImGui::Begin("Tool options", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+    Flow needs(room - padding, gap);
+    // A small window has no room for what cannot be used.
+    if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, needs);
+    if (facts.looks_back()) past(desk, facts, actions);
+    desk.toolbar_bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+    desk.widgets.keep_window_clear("Tool options");
     ImGui::End();
 }
 

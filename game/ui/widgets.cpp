@@ -169,6 +169,7 @@ ImVec2 Widgets::beside(const Box& item, const Box& panel, ImVec2 size) const {
             consider(occupied_.boxes[i].from.x - gap - size.x, top);
         }
     }
+    for (std::size_t i = 0; i < occupied_.size; ++i) consider(centred, occupied_.boxes[i].to.y + gap);
     return best;
 }
 

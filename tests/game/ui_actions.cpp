@@ -279,7 +279,7 @@ bool overlap(const ui::Ui::Place& a, const ui::Ui::Place& b) {
 }
 
 TEST_F(UiHand, shows_tooltips_beside_the_panels) {
-    begin_anew({1280, 900, 1});
+    begin_anew({1280, 960, 1});
     timeline_ = {.known_until = 600};
     actions_to_undo_ = 1;
     for (const Verb verb : {Verb::kToggleDisplay, Verb::kTogglePerformance}) ui_->perform(verb);
@@ -290,7 +290,8 @@ TEST_F(UiHand, shows_tooltips_beside_the_panels) {
         point_at(label);
         settle(60);
         const ui::Ui::Place tooltip = place("Tooltip");
-        for (const char* other : {label, "Toolbar", "Time bar", "Panel Display", "Panel Performance"})
+        for (const char* other :
+             {label, "Toolbar", "Tool options", "Time bar", "Panel Display", "Panel Performance"})
             EXPECT_FALSE(overlap(tooltip, place(other))) << label << " over " << other;
         EXPECT_GE(tooltip.x, 0);
         EXPECT_LE(tooltip.x + tooltip.width, 1280);

@@ -43,7 +43,7 @@ class UiLabels : public UiHand {
             boxes.push_back(*here);
         };
         for (const char* bar :
-             {"Toolbar", "Time bar", "Readings", "Panel Display", "Panel Physics", "Result"})
+             {"Toolbar", "Tool options", "Time bar", "Readings", "Panel Display", "Panel Physics", "Result"})
             expect(bar, true);
         expect("Compass", false);
         for (const char* name : kNames) expect(name, false);
