@@ -140,7 +140,7 @@ class App {
     void perform(const LookAt& wish);
     void perform(const SeeFromFront& wish);
     void perform(const GuideWish& wish);
-    void perform(const SaveWorld&);
+    void perform(const SaveWorld& wish);
     void perform(const MakeChallenge&);
     void perform(const TryChallenge&);
     void perform(const ChallengeFriend&);
@@ -162,6 +162,7 @@ class App {
     void undo();
     void redo();
     void list_own();
+    void put_picture(const std::filesystem::path& recording, const render::Picture& small);
     void stop_hand();
     void reset();
     void share();

@@ -11,7 +11,6 @@
 #include "game/base/process.h"
 #include "game/controls/front_view.h"
 #include "game/controls/key_map.h"
-#include "game/files/own_worlds.h"
 #include "game/files/recordings_folder.h"
 #include "game/files/user_folders.h"
 #include "game/recording/format.h"
@@ -234,12 +233,10 @@ void App::perform(const GuideWish& wish) {
 
 // What the user has recorded and saved by now.
 void App::list_own() {
-    catalogue_.own = own_entries(ShelfKind::kRecording);
-    catalogue_.screenshots = own_entries(ShelfKind::kScreenshot);
-    catalogue_.worlds = own_worlds();
+    for (const ShelfKind kind : kShelfKinds) catalogue_.own_of(kind) = own_entries(kind);
 }
 
-void App::perform(const SaveWorld&) {
+void App::perform(const SaveWorld& wish) {
     if (sandbox_->looks_back()) return tell_hands_off();
     const sim::State& state = sandbox_->session().state();
     const auto saved = scenario_of_now(sandbox_->scenario(), state).and_then([&](Scenario&& now) {
@@ -247,12 +244,18 @@ void App::perform(const SaveWorld&) {
         now.camera->azimuth_deg =
             std::remainder(now.camera->azimuth_deg, 360.0);  // it may have turned on and on
         now.light = display_.light;
-        return keep_own(OwnKind::kWorld, now.title, recording_of(now));
+        const std::string name = wish.name.empty() ? shelf_name(now.title) : wish.name;
+        return keep_on_shelf(ShelfKind::kWorld, name, recording_of(now));
     });
     skip_wait();
     if (!saved) return warn(said("This world is not saved: {}", saved.error().sentence));
+    if (!image_.failure()) put_picture(*saved, small_picture(image_.shown()));
     list_own();
     tell(said("Saved as {}{}", saved->string(), not_kept(state)));
+}
+
+void App::put_picture(const std::filesystem::path& recording, const render::Picture& small) {
+    if (const auto written = write_beside(recording, small); !written) warn(written.error().sentence);
 }
 
 void App::perform(const MakeChallenge&) {
@@ -266,7 +269,9 @@ void App::perform(const MakeChallenge&) {
         return warn(said("No challenge: {}", fits.error()));
     sim::StepOptions options;
     options.threads = 1;  // the window goes on
-    if (const auto begun = maker_.begin(scenario, sandbox_->history(), options); !begun)
+    std::optional<render::Picture> picture = open_.picture.picture();
+    if (!picture && !image_.failure()) picture = small_picture(image_.shown());
+    if (const auto begun = maker_.begin(scenario, sandbox_->history(), options, std::move(picture)); !begun)
         return warn(said("No challenge: {}", begun.error().sentence));
     tell(tr("Your slide is played again, to prove that the challenge can be won"));
 }
@@ -275,6 +280,7 @@ void App::tell_made() {
     const auto made = maker_.result();
     if (!made) return;
     if (!*made) return warn(said("No challenge: {}", made->error().sentence));
+    if (const auto picture = maker_.picture()) put_picture((*made)->file, *picture);
     list_own();
     tell(said("Your challenge, gold from {} m, is in the menu under My hill: {}", (*made)->gold,
               (*made)->file.string()));
@@ -644,8 +650,8 @@ Outcome<void> App::close_recording() {
     if (is_listed && open_.picture.is_late() && !image_.failure()) open_.picture.take(image_.shown());
     auto closed = sandbox_->finish();
     if (closed) file_.end(sandbox_->was_touched());
-    if (closed && recording && is_listed)
-        if (const auto pictured = open_.picture.write(*recording); !pictured) warn(pictured.error().sentence);
+    if (closed && recording && is_listed && open_.picture.picture())
+        put_picture(*recording, *open_.picture.picture());
     return closed;
 }
 

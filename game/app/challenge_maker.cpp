@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "game/base/process.h"
-#include "game/files/own_worlds.h"
+#include "game/files/shelf.h"
 #include "game/files/user_folders.h"
 
 namespace game {
@@ -15,9 +15,9 @@ namespace {
 // Nothing remains of an unfinished challenge.
 Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const History& history,
                                         const sim::StepOptions& options, const std::atomic<bool>& stopped) {
-    const auto folder = own_folder(OwnKind::kChallenge);
+    const auto folder = shelf_folder(ShelfKind::kChallenge);
     if (!folder) return tl::unexpected(folder.error());
-    const auto file = new_file(*folder, dated_name(scenario.title), "couloir");
+    const auto file = new_file(*folder, shelf_name(scenario.title), "couloir");
     if (!file) return tl::unexpected(file.error());
     Outcome<Scenario> made;
     try {
@@ -33,7 +33,9 @@ Outcome<ChallengeMaker::Made> make_file(const Scenario& scenario, const History&
 
 }  // namespace
 
-Outcome<void> ChallengeMaker::begin(Scenario scenario, History history, const sim::StepOptions& options) {
+Outcome<void> ChallengeMaker::begin(Scenario scenario, History history, const sim::StepOptions& options,
+                                    std::optional<render::Picture> picture) {
+    picture_ = std::move(picture);
     return job_.begin([scenario = std::move(scenario), history = std::move(history),
                        options](const std::atomic<bool>& stopped) {
         return make_file(scenario, history, options, stopped);

@@ -9,18 +9,20 @@
 
 namespace game {
 
-// The small picture that is kept beside the recording of a session: of the moment at which most moved.
+// The small picture that is kept beside a recording.
+render::Picture small_picture(const render::Picture& image);
+// Errors: it cannot be written (3).
+Outcome<void> write_beside(const std::filesystem::path& recording, const render::Picture& small);
+
+// That of a session: of the moment at which most moved.
 class SessionPicture {
   public:
-    static constexpr int kWidth = 288, kHeight = 162;  // px
-
     // Sees what moves in a frame, quanta. True if the image that is shown now is to be taken: most has just moved.
     bool see(std::int64_t moving);
     // Whether more has moved since than when the image was taken; what moves may still be growing.
     bool is_late() const { return peak_ > taken_ + taken_ / 4; }
     void take(const render::Picture& image);
-    // Writes it beside the recording; nothing if none was taken. Errors: it cannot be written (3).
-    Outcome<void> write(const std::filesystem::path& recording) const;
+    const std::optional<render::Picture>& picture() const { return picture_; }
 
   private:
     std::optional<render::Picture> picture_;

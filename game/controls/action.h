@@ -107,7 +107,9 @@ struct GuideWish {
 };
 
 // Saves the world as it stands, as a scene of one's own.
-struct SaveWorld {};
+struct SaveWorld {
+    std::string name;  // of its file; empty: the title of the world
+};
 // Makes a challenge of what was done in this world.
 struct MakeChallenge {};
 // Shares the challenge, untouched, with the best run at it to beat.

@@ -7,8 +7,8 @@
 
 #include "game/base/limits.h"
 #include "game/files/assets.h"
-#include "game/files/own_worlds.h"
 #include "game/recording/format.h"
+#include "game/recording/recording_length.h"
 #include "game/scene/scene_file.h"
 #include "terrains/json_reader.h"
 
@@ -78,19 +78,13 @@ std::vector<Catalogue::Entry> own_entries(ShelfKind kind) {
     std::vector<Catalogue::Entry> entries;
     for (const ShelfFile& each : shelf(kind, kMostOnShelf)) {
         Catalogue::Entry entry{each.file.stem().string(), each.file.string(), each.file};
-        entry.picture = kind == ShelfKind::kRecording ? picture_of(each.file) : each.file;
+        const bool is_picture = kind == ShelfKind::kScreenshot;
+        entry.picture = is_picture ? each.file : picture_of(each.file);
+        if (kind == ShelfKind::kRecording || kind == ShelfKind::kChallenge)
+            entry.length_s = length_of_recording(each.file);
         entries.push_back(std::move(entry));
     }
     return entries;
-}
-
-std::vector<Catalogue::Entry> own_worlds() {
-    std::vector<Catalogue::Entry> worlds;
-    for (const OwnFile& own : own_files(kMostOwn))
-        worlds.push_back(
-            {own.path.stem().string(), own.path.string(), own.path,
-             own.kind == OwnKind::kChallenge ? Catalogue::Kind::kChallenge : Catalogue::Kind::kMountain});
-    return worlds;
 }
 
 }  // namespace game

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -24,18 +25,20 @@ struct Catalogue {
         std::string name, title;
         std::filesystem::path file;  // a scene and a recording may share a name
         Kind kind = Kind::kMountain;
-        std::string harder_than = {};        // the name of another challenge; empty: none
-        std::optional<Best> best = {};       // run of a challenge that is known; read_catalogue() knows none
-        std::string about = {};              // a sentence: of a challenge its task; may be empty
-        std::int64_t difficulty = 0;         // of a challenge, 1 to SceneFile::kHardest; 0: not known
-        bool is_weekly = false;              // another ground each week
-        std::filesystem::path picture = {};  // of what a person has made; it may not exist
+        std::string harder_than = {};         // the name of another challenge; empty: none
+        std::optional<Best> best = {};        // run of a challenge that is known; read_catalogue() knows none
+        std::string about = {};               // a sentence: of a challenge its task; may be empty
+        std::int64_t difficulty = 0;          // of a challenge, 1 to SceneFile::kHardest; 0: not known
+        bool is_weekly = false;               // another ground each week
+        std::filesystem::path picture = {};   // of what a person has made; it may not exist
+        std::optional<double> length_s = {};  // of such a recording, if it is known
     };
     std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name
     std::vector<Entry> materials, recordings;
-    std::vector<Entry> own;          // the user's recordings, newest first
-    std::vector<Entry> screenshots;  // the same
-    std::vector<Entry> worlds;       // that the user has saved, and challenges; newest first
+    // What the user has made, of each kind the newest first.
+    std::array<std::vector<Entry>, kShelfKinds.size()> own;
+    std::vector<Entry>& own_of(ShelfKind kind) { return own.at(static_cast<std::size_t>(kind)); }
+    const std::vector<Entry>& own_of(ShelfKind kind) const { return own.at(static_cast<std::size_t>(kind)); }
 };
 
 // Reads everything except what the user has made. Errors: an asset cannot be found or read.
@@ -44,8 +47,5 @@ Outcome<Catalogue> read_catalogue();
 // The newest of the user's files of a kind, at most kMostOnShelf.
 inline constexpr std::size_t kMostOnShelf = 200;
 std::vector<Catalogue::Entry> own_entries(ShelfKind kind);
-inline constexpr std::size_t kMostOwn = 8;
-// The newest worlds and challenges of the user, at most kMostOwn (files/own_worlds.h).
-std::vector<Catalogue::Entry> own_worlds();
 
 }  // namespace game

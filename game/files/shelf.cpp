@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "game/files/recordings_folder.h"
+#include "game/files/text_file.h"
 #include "game/files/trash.h"
 #include "game/files/user_folders.h"
 
@@ -24,22 +25,23 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *kRecordingEnding = ".couloir", *kPictureEnding = ".png";
+constexpr std::size_t kMostInName = 200;  // bytes; a file system has 255
+constexpr std::string_view kNever = "/\\<>:\"|?*";
 
-Outcome<fs::path> folder_of(ShelfKind kind) {
-    return kind == ShelfKind::kRecording ? recordings_folder() : screenshots_folder();
+// Bytes that some system does not allow in a name.
+bool is_forbidden(char byte) {
+    return kNever.find(byte) != std::string_view::npos || static_cast<unsigned char>(byte) < ' ';
 }
 
 // The name without blanks around it. Errors: it is none, or has what some system does not allow.
 Outcome<std::string> usable_name(const std::string& name) {
-    constexpr std::string_view kBlank = " \t", kNever = "/\\<>:\"|?*";
-    constexpr std::size_t kMost = 200;  // bytes; a file system has 255
+    constexpr std::string_view kBlank = " \t";
     const std::size_t from = name.find_first_not_of(kBlank), to = name.find_last_not_of(kBlank);
     if (from == std::string::npos || name[from] == '.') return unusable("A file needs a name");
     std::string text = name.substr(from, to - from + 1);
-    if (text.size() > kMost) return unusable(fmt::format("A name has at most {} bytes", kMost));
+    if (text.size() > kMostInName) return unusable(fmt::format("A name has at most {} bytes", kMostInName));
     for (const char each : text)
-        if (kNever.find(each) != std::string_view::npos || static_cast<unsigned char>(each) < ' ')
-            return unusable(fmt::format("A name cannot have {}", kNever));
+        if (is_forbidden(each)) return unusable(fmt::format("A name cannot have {}", kNever));
     return text;
 }
 
@@ -49,15 +51,52 @@ bool move_to(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+Outcome<fs::path> shelf_folder(ShelfKind kind) {
+    switch (kind) {
+        case ShelfKind::kRecording:
+            return recordings_folder();
+        case ShelfKind::kScreenshot:
+            return screenshots_folder();
+        case ShelfKind::kWorld:
+            return data_folder("scenes");
+        case ShelfKind::kChallenge:
+            break;
+    }
+    return data_folder("challenges");
+}
+
+std::string shelf_name(const std::string& title) {
+    std::size_t end = std::min(title.size(), kMostInName);
+    while (end < title.size() && end > 0 && (static_cast<unsigned char>(title[end]) & 0xc0) == 0x80) --end;
+    std::string name = title.substr(0, end);
+    std::ranges::replace_if(name, is_forbidden, '-');
+    return usable_name(name).value_or("mine");
+}
+
+Outcome<fs::path> keep_on_shelf(ShelfKind kind, const std::string& name, const std::string& text) {
+    const auto usable = usable_name(name);
+    if (!usable) return tl::unexpected(usable.error());
+    const auto folder = shelf_folder(kind);
+    if (!folder) return tl::unexpected(folder.error());
+    auto path = new_file(*folder, *usable, "couloir");
+    if (!path) return path;
+    if (const auto written = write_text(*path, text); !written) {
+        std::error_code ignored;  // then it stays empty, and nobody can open it
+        fs::remove(*path, ignored);
+        return tl::unexpected(written.error());
+    }
+    return path;
+}
+
 fs::path picture_of(const fs::path& recording) {
     return fs::path(recording).replace_extension(kPictureEnding);
 }
 
 std::vector<ShelfFile> shelf(ShelfKind kind, std::size_t most) {
     std::vector<ShelfFile> files;
-    const auto folder = folder_of(kind);
+    const auto folder = shelf_folder(kind);
     if (!folder) return files;
-    const char* const ending = kind == ShelfKind::kRecording ? kRecordingEnding : kPictureEnding;
+    const char* const ending = kind == ShelfKind::kScreenshot ? kPictureEnding : kRecordingEnding;
     std::error_code error;
     for (fs::directory_iterator entry(*folder, error), end; !error && entry != end; entry.increment(error)) {
         struct stat facts {};

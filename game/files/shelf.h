@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,8 +11,14 @@
 
 namespace game {
 
-// What a person has made in the window, as files that can be looked at, renamed and thrown away.
-enum class ShelfKind : std::uint8_t { kRecording, kScreenshot };
+// What a person has made in the window, as files that can be looked at, renamed and thrown away. Worlds are in couloir/scenes of
+// the XDG data folder, and challenges in couloir/challenges; both are recordings.
+enum class ShelfKind : std::uint8_t { kRecording, kScreenshot, kWorld, kChallenge };
+inline constexpr std::array kShelfKinds{ShelfKind::kRecording, ShelfKind::kScreenshot, ShelfKind::kWorld,
+                                        ShelfKind::kChallenge};
+
+// Their folder. Errors: neither XDG_DATA_HOME nor HOME is set.
+Outcome<std::filesystem::path> shelf_folder(ShelfKind kind);
 
 struct ShelfFile {
     std::filesystem::path file;
@@ -19,6 +26,14 @@ struct ShelfFile {
 };
 // The newest of a kind, the newest first, at most so many; none if there is no such folder.
 std::vector<ShelfFile> shelf(ShelfKind kind, std::size_t most);
+
+// A title as a name that a file can have.
+std::string shelf_name(const std::string& title);
+
+// Writes the text of a recording into a new file of that name, whole or not at all; NAME-2 and so on if the name is taken.
+// Returns its path. Errors: the name is none (2); it cannot be written, and then nothing is left of it (3).
+Outcome<std::filesystem::path> keep_on_shelf(ShelfKind kind, const std::string& name,
+                                             const std::string& text);
 
 // The picture of a recording lies beside it.
 std::filesystem::path picture_of(const std::filesystem::path& recording);

@@ -106,7 +106,7 @@ bool Feed::take(const WheelEvent& event) {
 bool Feed::take(const TextEvent& event) {
     if (key_went_down_) return false;  // ImGui would put the text before the key
     text_came_ = true;
-    const char32_t character = event.character == ',' ? '.' : event.character;
+    const char32_t character = event.character == ',' && !types_names_ ? '.' : event.character;
     ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(character));
     return true;
 }

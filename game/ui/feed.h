@@ -15,12 +15,14 @@ namespace game::ui {
 // Passes events to ImGui, which sees one state of mouse and keys per frame. Events that would be lost (a
 // press and release, or a press and move, in one frame) wait for the next frame, in order.
 //
-// A comma reaches text fields as a point: all of them hold numbers, and the decimal key of many keypads types a comma.
+// A comma that is typed into a number is a point, as the decimal key of many keypads types it.
 class Feed {
   public:
     Feed();  // into the current ImGui context
 
     void add(std::span<const Event> events);
+    // Whether what is typed is a name, which may have commas, and no number.
+    void type_names(bool on) { types_names_ = on; }
 
   private:
     bool take(const Event& event);  // false: it must wait for the next frame
@@ -34,6 +36,7 @@ class Feed {
     bool take(const CloseEvent&) { return true; }
 
     std::vector<Event> waiting_;
+    bool types_names_ = false;
     ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // last position, px
     // Of this frame:
     std::bitset<kKeys> keys_turned_;

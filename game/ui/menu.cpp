@@ -90,7 +90,7 @@ void go_on(Desk& desk, const Facts& facts, ImVec2 size, Actions& actions) {
         if (desk.widgets.menu_button("Resume", facts.scenario.title.c_str(), on, size)) desk.menu.close();
         return;
     }
-    const auto& own = facts.catalogue.own;
+    const auto& own = facts.catalogue.own_of(ShelfKind::kRecording);
     const auto last = std::ranges::find_if(
         own, [&](const Catalogue::Entry& entry) { return entry.file.native() != facts.recording; });
     if (last == own.end()) return;

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "game/files/shelf.h"
 
 namespace game::ui {
 
@@ -16,8 +19,9 @@ struct Menu {
     std::string chosen =
         {};  // name of the scene whose card was clicked, or file of what was made; empty: none yet
 
-    // Of the page of what the user has made.
-    enum class Shelf : std::uint8_t { kShipped, kRecordings, kScreenshots } shelf = Shelf::kRecordings;
+    // Of the pages with files: what is listed to watch, nothing for what ships; and of one's own hills.
+    std::optional<ShelfKind> watched = ShelfKind::kRecording;
+    ShelfKind hill = ShelfKind::kWorld;
     enum class Order : std::uint8_t { kNewest, kOldest, kName } order = Order::kNewest;
     std::array<char, 64> search{};
     bool renames = false, asks_to_throw = false;  // the chosen one

@@ -104,18 +104,6 @@ void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actio
     ImGui::EndDisabled();
 }
 
-void own_worlds_of(Desk& desk, const char* heading, Kind kind, const char* tooltip, const Facts& facts,
-                   Actions& actions) {
-    const auto& worlds = facts.catalogue.worlds;
-    if (std::ranges::find(worlds, kind, &Catalogue::Entry::kind) == worlds.end()) return;
-    desk.widgets.heading(heading);
-    for (const Catalogue::Entry& entry : worlds)
-        if (entry.kind == kind &&
-            desk.widgets.button(entry.name.c_str(), tooltip, entry.name == facts.scenario.scene,
-                                ImGui::GetContentRegionAvail().x))
-            actions.emplace_back(Open{entry.file.string(), {}});
-}
-
 constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
 
@@ -190,17 +178,6 @@ void free_play_page(Desk& desk, const Facts& facts, Actions& actions) {
             cards(desk, "Flow demos: the figures of the paper", Kind::kFlowDemo, chosen, facts);
         },
         [&] { about(desk, chosen, facts, actions); });
-}
-
-void hill_page(Desk& desk, const Facts& facts, Actions& actions) {
-    desk.widgets.plain(
-        "Drop an elevation file onto the window: GeoTIFF, Esri ASCII grid or another raster that GDAL reads. "
-        "A scene of your own (.toml) works too.");
-    desk.widgets.dim("The Scene panel saves the world that is open, with all that was done to it.");
-    own_worlds_of(desk, "Your worlds, newest first", Kind::kMountain,
-                  "Starts in this world; the current session stays in its recording.", facts, actions);
-    own_worlds_of(desk, "Your challenges, newest first", Kind::kChallenge,
-                  "Shows how this challenge of yours is won; then try it yourself.", facts, actions);
 }
 
 }  // namespace game::ui

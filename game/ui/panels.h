@@ -76,7 +76,8 @@ struct Desk {
     FilmWish film;
     KeyChoice key_choice;
     SceneChoice choice;
-    bool measures_over_time = false;  // else along a line
+    std::array<char, 128> name_of_world{};  // as typed so far
+    bool measures_over_time = false;        // else along a line
     std::optional<std::size_t> house =
         {};  // whose pressure is plotted; nothing: the one with the largest pressure
     std::optional<std::size_t> told_house = {};  // the same, as last shown

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "game/analysis/score.h"
 #include "game/ui/panels.h"
@@ -139,14 +140,17 @@ void save_world(Desk& desk, const Facts& facts, Actions& actions) {
         facts.scenario.flow  ? "A flow demo has no world to save."
         : facts.looks_back() ? "Only the present can be saved. Go there, or continue from here, first."
                              : nullptr;
+    desk.widgets.heading("A world of your own");
     ImGui::BeginDisabled(obstacle != nullptr);
+    desk.widgets.text_field("Name of this world", tr(facts.scenario.title.c_str()), desk.name_of_world,
+                            ImGui::GetContentRegionAvail().x);
     if (desk.widgets.button(
             "Save this world",
             obstacle ? obstacle
                      : "Keeps the mountain as it stands now as a scene of your own: layers, forest, "
                        "earth and what is built.",
             false, ImGui::GetContentRegionAvail().x))
-        actions.emplace_back(SaveWorld{});
+        actions.emplace_back(SaveWorld{std::exchange(desk.name_of_world, {}).data()});
     ImGui::EndDisabled();
 }
 

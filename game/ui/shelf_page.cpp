@@ -1,4 +1,4 @@
-// The page of slides to watch: those that ship, and what the user has made, with its names and pictures.
+// The pages of files: slides to watch, and hills and challenges of the user's own, with their names and pictures.
 
 #include <algorithm>
 #include <array>
@@ -14,18 +14,35 @@ namespace {
 
 using Entry = Catalogue::Entry;
 
-constexpr std::array kShelfNames{"Slides that ship", "Your recordings", "Your screenshots"};
+// What is listed; no kind: what ships.
+using Listed = std::optional<ShelfKind>;
+struct ShelfRow {
+    Menu::Page page;
+    Listed listed;
+    const char* name;
+};
+constexpr std::array kShelves{
+    ShelfRow{Menu::Page::kWatch, std::nullopt, "Slides that ship"},
+    ShelfRow{Menu::Page::kWatch, ShelfKind::kRecording, "Your recordings"},
+    ShelfRow{Menu::Page::kWatch, ShelfKind::kScreenshot, "Your screenshots"},
+    ShelfRow{Menu::Page::kHill, ShelfKind::kWorld, "Your worlds"},
+    ShelfRow{Menu::Page::kHill, ShelfKind::kChallenge, "Your challenges"},
+};
 constexpr std::array kOrderNames{"newest first", "oldest first", "by name"};
 
-const std::vector<Entry>& entries_of(Menu::Shelf shelf, const Catalogue& catalogue) {
-    if (shelf == Menu::Shelf::kShipped) return catalogue.recordings;
-    return shelf == Menu::Shelf::kRecordings ? catalogue.own : catalogue.screenshots;
+Listed listed(const Menu& menu) {
+    return menu.page == Menu::Page::kHill ? menu.hill : menu.watched;
+}
+
+const std::vector<Entry>& entries_of(const Menu& menu, const Catalogue& catalogue) {
+    const Listed kind = listed(menu);
+    return kind ? catalogue.own_of(*kind) : catalogue.recordings;
 }
 
 const char* write_label(std::span<char> text, const Entry& entry, const Menu& menu, const Facts& facts) {
-    if (menu.shelf == Menu::Shelf::kRecordings) return write_recording(text, entry, facts.catalogue);
-    std::snprintf(text.data(), text.size(), "%s",
-                  menu.shelf == Menu::Shelf::kShipped ? entry.title.c_str() : entry.name.c_str());
+    const Listed kind = listed(menu);
+    if (kind == ShelfKind::kRecording) return write_recording(text, entry, facts.catalogue);
+    std::snprintf(text.data(), text.size(), "%s", kind ? entry.name.c_str() : entry.title.c_str());
     return text.data();
 }
 
@@ -42,11 +59,11 @@ bool has(std::string_view text, std::string_view part) {
 std::vector<const Entry*> found(const Menu& menu, const Facts& facts) {
     std::vector<const Entry*> all;
     std::array<char, 160> label;
-    for (const Entry& entry : entries_of(menu.shelf, facts.catalogue))
+    for (const Entry& entry : entries_of(menu, facts.catalogue))
         if (entry.file.native() != facts.recording &&
             has(write_label(label, entry, menu, facts), menu.search.data()))
             all.push_back(&entry);
-    if (menu.shelf == Menu::Shelf::kShipped) return all;
+    if (!listed(menu)) return all;
     if (menu.order == Menu::Order::kOldest) std::ranges::reverse(all);
     if (menu.order == Menu::Order::kName)
         std::ranges::stable_sort(all, {}, [](const Entry* entry) { return entry->name; });
@@ -55,12 +72,12 @@ std::vector<const Entry*> found(const Menu& menu, const Facts& facts) {
 
 // What ships has the picture of its scene.
 std::optional<ScenePictures::Part> picture_of_entry(Desk& desk, const Entry& entry) {
-    if (desk.menu.shelf == Menu::Shelf::kShipped) return desk.pictures.of(entry.name);
+    if (!listed(desk.menu)) return desk.pictures.of(entry.name);
     return desk.shelf_pictures.of(entry.file.native());
 }
 
 void ask_for_own_pictures(Desk& desk, const std::vector<const Entry*>& all) {
-    if (desk.menu.shelf == Menu::Shelf::kShipped) return;
+    if (!listed(desk.menu)) return;
     std::vector<ScenePictures::Source> sources;
     sources.reserve(all.size());
     for (const Entry* entry : all) sources.push_back({entry->file.native(), entry->picture});
@@ -70,11 +87,20 @@ void ask_for_own_pictures(Desk& desk, const std::vector<const Entry*>& all) {
 void head_of_shelf(Desk& desk) {
     Menu& menu = desk.menu;
     const float em = desk.em();
-    int shelf = static_cast<int>(menu.shelf), order = static_cast<int>(menu.order);
+    const auto first = std::ranges::find(kShelves, menu.page, &ShelfRow::page);
+    const auto end =
+        std::find_if(first, kShelves.end(), [&](const ShelfRow& row) { return row.page != menu.page; });
+    const auto now =
+        std::find_if(first, end, [&](const ShelfRow& row) { return row.listed == listed(menu); });
+    int shelf = static_cast<int>(now - first), order = static_cast<int>(menu.order);
     if (desk.widgets.choice(
-            "Shelf", shelf, static_cast<int>(kShelfNames.size()), "What is listed.",
-            [](int i) { return kShelfNames.at(static_cast<std::size_t>(i)); }, 12 * em)) {
-        menu.shelf = static_cast<Menu::Shelf>(shelf);
+            "Shelf", shelf, static_cast<int>(end - first), "What is listed.",
+            [&](int i) { return first[i].name; }, 12 * em)) {
+        const Listed chosen = first[shelf].listed;
+        if (menu.page == Menu::Page::kHill)
+            menu.hill = *chosen;
+        else
+            menu.watched = chosen;
         menu.chosen.clear();
     }
     ImGui::SameLine();
@@ -151,27 +177,40 @@ void deeds(Desk& desk, const Entry& entry, float width, Actions& actions) {
         actions.emplace_back(ShowFile{entry.file});
 }
 
+void write_length(Desk& desk, double seconds) {
+    const int whole = static_cast<int>(std::min(seconds, 1e8));
+    desk.widgets.fact("Length", "%d:%02d min", whole / 60, whole % 60);
+}
+
+void open_it(Desk& desk, const Entry& entry, float width, Actions& actions) {
+    const Listed kind = listed(desk.menu);
+    const auto begin = [&](const char* label, const char* tooltip, bool on, bool at_end) {
+        if (desk.widgets.button(label, tooltip, on, width))
+            actions.emplace_back(Open{entry.file.string(), {}, at_end});
+    };
+    if (kind == ShelfKind::kWorld)
+        begin("Start", "Starts in this world; the current session stays in its recording.", true, false);
+    else if (kind == ShelfKind::kChallenge)
+        begin("Start", "Shows how this challenge of yours is won; then try it yourself.", true, false);
+    else if (kind != ShelfKind::kScreenshot) {
+        begin("Watch", "Plays it; you can continue anywhere.", true, false);
+        begin("Continue at its end", "Continues where it ends.", false, true);
+    }
+}
+
 void about_entry(Desk& desk, const Entry& entry, const Facts& facts, Actions& actions) {
     const float width = ImGui::GetContentRegionAvail().x;
     std::array<char, 160> label;
     picture_and_title(desk, picture_of_entry(desk, entry), write_label(label, entry, desk.menu, facts));
     desk.widgets.dim("%s", entry.file.filename().c_str());
+    if (entry.length_s) write_length(desk, *entry.length_s);
     ImGui::Dummy({0, desk.em() * 0.3f});
-    if (desk.menu.shelf != Menu::Shelf::kScreenshots) {
-        if (desk.widgets.button("Watch", "Plays it; you can continue anywhere.", true, width))
-            actions.emplace_back(Open{entry.file.string(), {}});
-        if (desk.widgets.button("Continue at its end", "Continues where it ends.", false, width))
-            actions.emplace_back(Open{entry.file.string(), {}, true});
-    }
-    if (desk.menu.shelf != Menu::Shelf::kShipped) deeds(desk, entry, width, actions);
+    open_it(desk, entry, width, actions);
+    if (listed(desk.menu)) deeds(desk, entry, width, actions);
 }
 
-}  // namespace
-
-void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
+void files_page(Desk& desk, const Facts& facts, Actions& actions) {
     Menu& menu = desk.menu;
-    if (menu.shelf == Menu::Shelf::kRecordings && facts.catalogue.own.empty())
-        menu.shelf = Menu::Shelf::kShipped;
     head_of_shelf(desk);
     const std::vector<const Entry*> all = found(menu, facts);
     ask_for_own_pictures(desk, all);
@@ -183,6 +222,25 @@ void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
         [&] {
             if (chosen) about_entry(desk, *chosen, facts, actions);
         });
+}
+
+}  // namespace
+
+void watch_page(Desk& desk, const Facts& facts, Actions& actions) {
+    auto& watched = desk.menu.watched;
+    if (watched == ShelfKind::kRecording && facts.catalogue.own_of(*watched).empty()) watched.reset();
+    files_page(desk, facts, actions);
+}
+
+void hill_page(Desk& desk, const Facts& facts, Actions& actions) {
+    desk.widgets.plain(
+        "Drop an elevation file onto the window: GeoTIFF, Esri ASCII grid or another raster that GDAL reads. "
+        "A scene of your own (.toml) works too.");
+    desk.widgets.dim("The Scene panel saves the world that is open, with all that was done to it.");
+    const auto is_empty = [&](ShelfKind kind) { return facts.catalogue.own_of(kind).empty(); };
+    if (is_empty(ShelfKind::kWorld) != is_empty(ShelfKind::kChallenge))
+        desk.menu.hill = is_empty(ShelfKind::kWorld) ? ShelfKind::kChallenge : ShelfKind::kWorld;
+    files_page(desk, facts, actions);
 }
 
 }  // namespace game::ui

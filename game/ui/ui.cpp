@@ -73,7 +73,8 @@ void Ui::Parts::lend_clipboard() {
     io.GetClipboardTextFn = [](void* user) {
         auto* const parts = static_cast<Parts*>(user);
         parts->clipboard = parts->screen ? parts->screen->clipboard() : std::string();
-        std::ranges::replace(parts->clipboard, ',', '.');  // as in Feed
+        if (!parts->desk.widgets.types_name())
+            std::ranges::replace(parts->clipboard, ',', '.');  // as in Feed
         return parts->clipboard.c_str();
     };
 }
@@ -137,6 +138,7 @@ void Ui::begin(std::span<const Event> events, Screen& screen, double letters, do
         desk.key_choice.hear(events);
     else
         desk.key_choice = {};
+    parts.feed.type_names(parts.desk.widgets.types_name());
     parts.feed.add(events);
     ImGui::NewFrame();
 }

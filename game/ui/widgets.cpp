@@ -106,6 +106,7 @@ void Widgets::begin_frame(double elapsed_s) {
     places_.clear();
     occupied_ = std::exchange(occupied_next_, {});
     elapsed_s_ = elapsed_s;
+    types_name_ = std::exchange(types_name_next_, false);
     if (!std::exchange(hovering_, false)) hovered_s_ = 0;
 }
 
@@ -294,6 +295,7 @@ bool Widgets::text_field(const char* label, const char* hint, std::span<char> te
     ImGui::SetNextItemWidth(width);
     const bool ended = ImGui::InputTextWithHint(id.data(), tr(hint), text.data(), text.size(),
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+    types_name_next_ |= ImGui::IsItemActive();
     places_.note(label);
     return ended;
 }

@@ -110,6 +110,7 @@ class Widgets {
 
     // A line of text that is typed, at most as long as its room. `hint`: shown while it is empty. True if Enter ended it.
     bool text_field(const char* label, const char* hint, std::span<char> text, float width);
+    bool types_name() const { return types_name_; }  // into such a line, in the last frame
     bool toggle(const char* label, bool& on, const char* tooltip);
     bool slider(const char* label, double& value, const Slide& slide, const char* tooltip);
     Typed number(const Number& number);
@@ -162,6 +163,7 @@ class Widgets {
     Boxes occupied_, occupied_next_;
     // The widget being edited, and the value it shows meanwhile.
     bool closing_choice_ = false;
+    bool types_name_ = false, types_name_next_ = false;
     ImGuiID changing_ = 0;
     double slid_ = 0;
     std::array<char, 32> typed_{};

@@ -194,7 +194,7 @@ TEST_F(Playing, says_of_the_mountains_around_that_brushes_do_nothing_there) {
     begin("snow-avalanche");
     bool told = false;
     for (double x = 10; x < 450 && !told; x += 8) {  // from the left, where the grid has ended
-        screen_.move(x, 130);
+        screen_.move(x, 160);
         frames(1);
         screen_.press(Button::kLeft);
         frames(1);
@@ -1146,11 +1146,15 @@ TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
     ASSERT_GT(mass().rolling, 0);
     tap(function_key(2));
     frames(3);
+    click("Name of this world");
+    screen_.type("The wood, blasted");
+    frames(2);
     click("Save this world");
     const auto folder = folder_.path() / "couloir/scenes";
-    ASSERT_EQ(app_->catalogue().worlds.size(), 1u) << last_notice();
-    const std::filesystem::path file = app_->catalogue().worlds[0].file;
-    EXPECT_EQ(file.parent_path(), folder);
+    ASSERT_EQ(app_->catalogue().own_of(ShelfKind::kWorld).size(), 1u) << last_notice();
+    const std::filesystem::path file = app_->catalogue().own_of(ShelfKind::kWorld)[0].file;
+    EXPECT_EQ(file, folder / "The wood, blasted.couloir");
+    EXPECT_TRUE(render::read_png(picture_of(file), 3));
     EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
     const auto recording = read_recording(file);
     ASSERT_TRUE(recording) << recording.error().sentence;
@@ -1160,13 +1164,16 @@ TEST_F(Playing, saves_the_world_as_it_stands_and_begins_it_again) {
     frames(30);
     tap(function_key(9));
     click("My hill");
-    click(file.stem().c_str());
+    frames(2);
+    ASSERT_TRUE(shows("Rename"));
+    click("Start");
+    frames(2);
     EXPECT_FALSE(app_->sandbox().watches());
     EXPECT_EQ(app_->sandbox().scenario().scene, file.stem());
     EXPECT_LT(state().tick, 5);
     EXPECT_GT(mass().rolling, 0) << "what moved starts from rest";
     ASSERT_TRUE(app_->recording());
-    EXPECT_NE(app_->recording()->string().find(file.stem().string()), std::string::npos);
+    EXPECT_NE(app_->recording()->string().find("The-wood--blasted"), std::string::npos);
     tap(function_key(2));
     blast_at(640, 330);
     frames(30);
@@ -1182,13 +1189,13 @@ TEST_F(Playing, saves_no_world_of_the_past_and_says_why_one_cannot_be_written) {
     std::ofstream(folder_.path() / "couloir/scenes") << "a file in place of the folder";
     click("Save this world");
     EXPECT_NE(last_notice().find("not saved"), std::string::npos) << last_notice();
-    EXPECT_TRUE(app_->catalogue().worlds.empty());
+    EXPECT_TRUE(app_->catalogue().own_of(ShelfKind::kWorld).empty());
     std::filesystem::remove(folder_.path() / "couloir/scenes");
 
     tap(Key::kComma);
     frames(3);
     click("Save this world");
-    EXPECT_TRUE(app_->catalogue().worlds.empty()) << "looking back";
+    EXPECT_TRUE(app_->catalogue().own_of(ShelfKind::kWorld).empty()) << "looking back";
 }
 
 TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried) {
@@ -1205,15 +1212,14 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
         return !app_->is_making_challenge();
     });
     frames(2);
-    ASSERT_EQ(app_->catalogue().worlds.size(), 1u) << last_notice();
-    EXPECT_EQ(app_->catalogue().worlds[0].kind, Catalogue::Kind::kChallenge);
-    const std::filesystem::path file = app_->catalogue().worlds[0].file;
+    ASSERT_EQ(app_->catalogue().own_of(ShelfKind::kChallenge).size(), 1u) << last_notice();
+    const std::filesystem::path file = app_->catalogue().own_of(ShelfKind::kChallenge)[0].file;
     EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
 
     tap(function_key(9));
     frames(2);
     click("My hill");
-    click(file.stem().c_str());
+    click("Start");
     EXPECT_TRUE(app_->sandbox().watches());
     frames(3);
     ASSERT_TRUE(shows("Try it yourself"));
@@ -1894,8 +1900,8 @@ TEST_F(Keeping, pictures_a_session_and_leaves_a_file_alone_that_is_open) {
     ASSERT_TRUE(app_->finish());
     const auto picture = render::read_png(picture_of(open), 3);
     ASSERT_TRUE(picture) << picture.error();
-    EXPECT_EQ(picture->width, SessionPicture::kWidth);
-    EXPECT_EQ(picture->height, SessionPicture::kHeight);
+    EXPECT_EQ(picture->width, 288);
+    EXPECT_EQ(picture->height, 162);
     EXPECT_NE(std::ranges::max(picture->values), std::ranges::min(picture->values));
 }
 

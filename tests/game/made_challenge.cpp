@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "game/app/challenge_maker.h"
-#include "game/files/own_worlds.h"
 #include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
 #include "tests/game/program.h"
@@ -188,7 +187,7 @@ TEST_F(MadeChallenge, leaves_nothing_if_it_is_stopped_or_cannot_be_written) {
 
     ChallengeMaker maker;
     write_bytes(folder_.path() / "couloir", "a file in place of the folder");
-    ASSERT_TRUE(maker.begin(scenario_, {{}, {blast_at(0, 620, 1725)}}, {}));
+    ASSERT_TRUE(maker.begin(scenario_, {{}, {blast_at(0, 620, 1725)}}, {}, {}));
     EXPECT_TRUE(maker.is_busy());
     std::optional<Outcome<ChallengeMaker::Made>> result;
     while (!(result = maker.result())) {

@@ -9,6 +9,7 @@
 
 #include "game/files/text_file.h"
 #include "game/files/trash.h"
+#include "game/recording/recording_length.h"
 #include "render/pictures/fit.h"
 #include "tests/support/places.h"
 
@@ -46,6 +47,33 @@ TEST_F(Shelf, lists_the_newest_first_and_no_empty_or_other_file) {
     EXPECT_EQ(all[1].file, recordings() / "old.couloir");
     EXPECT_NEAR(static_cast<double>(all[0].written - all[1].written), 7200, 5);
     EXPECT_EQ(shelf(ShelfKind::kRecording, 1).size(), 1u);
+}
+
+TEST_F(Shelf, tells_how_long_a_recording_is_from_its_ends) {
+    const std::string header =
+        R"({"format":"couloir","title":"a \"tick_s\":5, b","physics":{"tick_s":0.25,"x":1}})"
+        "\n";
+    const std::string rest = R"({"tick":6,"hash":"00"})"
+                             "\n"
+                             R"({"tick":12,"hash":"00"})"
+                             "\n";
+    EXPECT_EQ(length_of_recording(put("a.couloir", header + rest)), 3);
+    EXPECT_EQ(length_of_recording(put("a.couloir", header + rest + R"({"tick":99,"ha)")), 3)
+        << "of a killed session";
+    EXPECT_EQ(length_of_recording(put("a.couloir", header + rest +
+                                                       R"({"end":14})"
+                                                       "\n")),
+              3.5);
+    const std::string ground(200'000, '0');  // which it need not read
+    EXPECT_EQ(length_of_recording(put("a.couloir", header + ground + "\n" + rest)), 3);
+    for (const std::string& none : {std::string(), std::string("x"), header, header + "{}\n",
+                                    header + R"({"tick":"6"})"
+                                             "\n",
+                                    header + R"({"tick":-6})"
+                                             "\n",
+                                    "{}\n" + rest, header + "\n" + ground + "\n"})
+        EXPECT_EQ(length_of_recording(put("a.couloir", none)), std::nullopt) << none.substr(0, 90);
+    EXPECT_EQ(length_of_recording(recordings() / "none"), std::nullopt);
 }
 
 TEST_F(Shelf, renames_a_recording_and_its_picture_and_loses_nothing) {

@@ -17,7 +17,7 @@ class UiMenu : public UiHand {
             {{"bowl", "The bowl", "/scenes/bowl.toml", Kind::kChallenge, "", {}, "Empty 300 m3 of it.", 1},
              {"bowl-hard", "The small bowl", "/scenes/bowl-hard.toml", Kind::kChallenge, "bowl", {}, "", 2},
              {"dam", "The dam", "/scenes/dam.toml", Kind::kChallenge, "", {}, "Build it.", 3}});
-        catalogue_.own = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"},
+        catalogue_.own_of(ShelfKind::kRecording) = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"},
                           {"mine", "/own/mine.couloir", "/own/mine.couloir"}};
     }
     void open_page(const char* page) {
@@ -54,7 +54,7 @@ TEST_F(UiMenu, continues_the_newest_recording_when_the_program_has_just_started)
     settle();
     EXPECT_EQ(only<Open>(click("Continue")).name_or_path, "/own/mine.couloir");
 
-    catalogue_.own.clear();
+    catalogue_.own_of(ShelfKind::kRecording).clear();
     settle();
     EXPECT_FALSE(ui_->find("Continue"));
 }
@@ -136,11 +136,11 @@ TEST_F(UiMenu, renames_and_throws_away_only_once_it_was_asked_again) {
     EXPECT_TRUE(click("New name").empty());
     screen_.tap(Key::kEnd);
     settle();
-    screen_.type(" two");
+    screen_.type(" two, 2.5 m");
     settle();
     const auto renamed = only<RenameFile>(click("Rename it"));
     EXPECT_EQ(renamed.file, "/own/mine.couloir");
-    EXPECT_EQ(renamed.name, "mine two");
+    EXPECT_EQ(renamed.name, "mine two, 2.5 m");
     settle();
     EXPECT_TRUE(click("mine").empty());
     settle();

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "game/analysis/headless.h"
-#include "game/files/own_worlds.h"
+#include "game/files/shelf.h"
 #include "game/recording/ground_data.h"
 #include "game/recording/recording_file.h"
 #include "game/session/loaded_world.h"
@@ -344,43 +344,38 @@ class OwnWorlds : public testing::Test {
     support::TemporaryFolder folder_;
 };
 
-TEST_F(OwnWorlds, are_files_of_their_own_and_listed_the_newest_first) {
-    EXPECT_TRUE(own_files(8).empty());
-    const auto first = keep_own(OwnKind::kWorld, "A hill / mine", "one");
-    const auto second = keep_own(OwnKind::kWorld, "A hill / mine", "two");
-    const auto third = keep_own(OwnKind::kChallenge, "A task", "three");
+TEST_F(OwnWorlds, are_files_with_the_names_that_they_are_given) {
+    const auto first = keep_on_shelf(ShelfKind::kWorld, "Größer, 2 m", "one");
+    const auto second = keep_on_shelf(ShelfKind::kWorld, "Größer, 2 m", "two");
+    const auto third = keep_on_shelf(ShelfKind::kChallenge, shelf_name("A hill / mine?"), "three");
     ASSERT_TRUE(first && second && third);
-    EXPECT_NE(*first, *second);
-    EXPECT_EQ(first->parent_path(), folder_.path() / "couloir/scenes");
-    EXPECT_EQ(first->filename().string().rfind("A-hill---mine-20", 0), 0u) << *first;
-    EXPECT_EQ(third->parent_path(), folder_.path() / "couloir/challenges");
-    const auto now = std::filesystem::file_time_type::clock::now();
-    std::filesystem::last_write_time(*second, now - std::chrono::hours(2));
-    std::filesystem::last_write_time(*third, now - std::chrono::hours(1));
-    std::ofstream(folder_.path() / "couloir/scenes/note.txt") << "x";
-    std::ofstream(folder_.path() / "couloir/scenes/empty.couloir");
-    const auto files = own_files(2);
-    ASSERT_EQ(files.size(), 2u);
-    EXPECT_EQ(files[0].path, *first);
-    EXPECT_EQ(files[1].path, *third);
-    EXPECT_EQ(files[1].kind, OwnKind::kChallenge);
+    EXPECT_EQ(*first, folder_.path() / "couloir/scenes/Größer, 2 m.couloir");
+    EXPECT_EQ(*second, folder_.path() / "couloir/scenes/Größer, 2 m-2.couloir");
+    EXPECT_EQ(*third, folder_.path() / "couloir/challenges/A hill - mine-.couloir");
+    EXPECT_EQ(shelf(ShelfKind::kWorld, 8).size(), 2u);
+    EXPECT_EQ(shelf(ShelfKind::kChallenge, 8).size(), 1u);
+    for (const std::string& none : {std::string(" "), std::string("../c"), std::string(201, 'c')})
+        EXPECT_EQ(keep_on_shelf(ShelfKind::kWorld, none, "x").error().status, Failure::kUnusable) << none;
+    for (const std::string& title : {std::string(), std::string("../c"), std::string("..."),
+                                     std::string(99, '/'), "a" + std::string(300, '\xc3')})
+        EXPECT_TRUE(keep_on_shelf(ShelfKind::kWorld, shelf_name(title), "x")) << title;
 }
 
 TEST_F(OwnWorlds, leave_nothing_if_the_disk_is_full) {
     const std::string text(100'000, 'x');
     std::filesystem::create_directories(folder_.path() / "couloir/scenes");
     const FullDisk full(1000);
-    const auto kept = keep_own(OwnKind::kWorld, "hill", text);
+    const auto kept = keep_on_shelf(ShelfKind::kWorld, "hill", text);
     ASSERT_FALSE(kept);
     EXPECT_EQ(kept.error().status, Failure::kMachine);
-    EXPECT_NE(kept.error().sentence.find("hill-"), std::string::npos) << kept.error().sentence;
+    EXPECT_NE(kept.error().sentence.find("hill"), std::string::npos) << kept.error().sentence;
     EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "couloir/scenes"));
 }
 
 TEST_F(OwnWorlds, open_as_scenes_that_are_called_by_their_file) {
     auto scene = small("winter-valley");
     ASSERT_TRUE(scene) << scene.error().sentence;
-    const auto path = keep_own(OwnKind::kWorld, "hill", recording_of(scene->scenario));
+    const auto path = keep_on_shelf(ShelfKind::kWorld, "hill", recording_of(scene->scenario));
     ASSERT_TRUE(path) << path.error().sentence;
     const auto world = open_anything(path->string(), {});
     ASSERT_TRUE(world) << world.error().sentence;
