@@ -29,6 +29,7 @@ void each_setting(Settings& s, Each& each) {
     each.table("display");
     each.language("language", d.language);
     each.flag("field_words", d.field_words);
+    each.flag("high_contrast", d.contrast);
     each.flag("contours", d.contours);
     each.flag("labels", d.labels);
     each.flag("trees", d.trees);

@@ -32,6 +32,7 @@ struct Display {
     double frame_ms = 33;           // target for a frame, 8 to 200, unless the tier is full
     double most_scale = 1;          // of a moving image, one of kScales, unless the tier is full
     double letters = 1;             // text size relative to the monitor's scale, 0.5 to 3
+    bool contrast = false;          // of panels: high, for projectors and bright rooms
     std::string language;           // code of that of the window; empty: that of the system
     bool field_words = false;       // those of avalanche dynamics, else plain ones
     bool slow_release = true;       // time passes slower for a moment when a slide breaks loose

@@ -41,7 +41,7 @@ void what_is_left(Desk& desk, const Goal& goal, const GoalUse& use) {
             std::snprintf(text.data(), text.size(), tr("%s: %.4g of %.4g%s%.*s left"), tr(verb_of(tool.kind)),
                           *left, all, unit.empty() ? "" : " ", static_cast<int>(unit.size()), unit.data());
         if (&tool != &goal.tools.front()) ImGui::SameLine(0, 1.5f * desk.em());
-        ImGui::PushStyleColor(ImGuiCol_Text, *left > 0 ? kAccent : kDimText);
+        ImGui::PushStyleColor(ImGuiCol_Text, *left > 0 ? kAccent : palette().dim_text);
         ImGui::TextUnformatted(text.data());
         ImGui::PopStyleColor();
         desk.widgets.note(text.data());
@@ -77,7 +77,7 @@ void plate(Desk& desk, glm::dvec2 at, double below, const char* text, ImU32 colo
                       static_cast<float>(at.y) + static_cast<float>(below) * desk.em()};
     const float edge = 0.35f * desk.em();
     list.AddRectFilled({from.x - edge, from.y - edge / 2},
-                       {from.x + size.x + edge, from.y + size.y + edge / 2}, kPanel, edge);
+                       {from.x + size.x + edge, from.y + size.y + edge / 2}, palette().panel, edge);
     list.AddText(from, colour, text);
     desk.widgets.note(text, from, {from.x + size.x, from.y + size.y});
 }
@@ -112,9 +112,9 @@ ImU32 colour_of(GoalLine::Around around) {
             return kDanger;
         case GoalLine::Around::kDam:
         case GoalLine::Around::kSection:
-            return kText;
+            return palette().text;
     }
-    return kText;
+    return palette().text;
 }
 
 void stroke(Desk& desk, const GoalLine& line, ImDrawList& list) {
@@ -215,7 +215,7 @@ void dam(Desk& desk, const Facts& facts) {
     std::snprintf(text.data(), text.size(), tr("%.1f m high, %s"), facts.dam->height,
                   write_volume(volume, facts.dam->volume));
     constexpr double kAbove = -2;  // em
-    plate(desk, facts.dam->at, kAbove, text.data(), kText, list);
+    plate(desk, facts.dam->at, kAbove, text.data(), palette().text, list);
 }
 
 void challenge(Desk& desk, const Facts& facts, Actions& actions) {

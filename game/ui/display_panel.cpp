@@ -192,6 +192,8 @@ bool picture(Desk& desk, const Facts& facts, Display& display) {
     bool changed = language(desk, facts, display);
     changed |= desk.widgets.toggle("Field's words", display.field_words,
                                    "Standing and rolling layer, aspect, speed in plan. Off: plain words.");
+    changed |= desk.widgets.toggle("High contrast", display.contrast,
+                                   "White on black panels, for projectors and bright rooms.");
     double detail = static_cast<double>(display.detail) * 100,
            powder = static_cast<double>(display.powder) * 100, letters = display.letters * 100;
     desk.widgets.row("Fine relief");

@@ -110,12 +110,12 @@ void Graph::axes(Desk& desk, const Axis& across, const Axis& up) const {
     const auto [low, top] = multiples(up.range, rise);
     for (std::int64_t i = low; i <= top; ++i) {
         const double value = static_cast<double>(i) * rise;
-        list_->AddLine({from_.x, y(value)}, {to_.x, y(value)}, kLine);
+        list_->AddLine({from_.x, y(value)}, {to_.x, y(value)}, palette().line);
         if (!up.is_told) continue;
         const char* number = number_at(text, value, rise, i == top ? up.unit : "");
         if (width_of(number) > (kLeft - kClear) * em) number = number_at(text, value, rise, "");
-        list_->AddText(letters, high, {from_.x - 0.3f * em - width_of(number), y(value) - high / 2}, kDimText,
-                       number);
+        list_->AddText(letters, high, {from_.x - 0.3f * em - width_of(number), y(value) - high / 2},
+                       palette().dim_text, number);
     }
     if (!across.is_told) return;
     const double step = round_step(across.range.length(), kMostAcross);
@@ -124,10 +124,10 @@ void Graph::axes(Desk& desk, const Axis& across, const Axis& up) const {
         const double value = static_cast<double>(i) * step;
         const char* const number = number_at(text, value, step, i == last ? across.unit : "");
         const float wide = width_of(number);
-        list_->AddLine({x(value), to_.y}, {x(value), to_.y + 0.2f * em}, kDimText);
+        list_->AddLine({x(value), to_.y}, {x(value), to_.y + 0.2f * em}, palette().dim_text);
         list_->AddText(letters, high,
                        {std::min(x(value) - wide / 2, to_.x + kRight * em - wide), to_.y + 0.2f * em},
-                       kDimText, number);
+                       palette().dim_text, number);
     }
 }
 

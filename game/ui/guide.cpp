@@ -54,15 +54,16 @@ void place_to_click(Desk& desk, glm::dvec2 at, double now_s) {
     const ImVec2 middle{static_cast<float>(at.x), static_cast<float>(at.y)};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float radius = em * (3.2f - 2.4f * share);
-    list.AddCircle(middle, radius, faded(kNoticePlate, share), 0, em * 0.32f);
+    list.AddCircle(middle, radius, faded(palette().notice_plate, share), 0, em * 0.32f);
     list.AddCircle(middle, radius, faded(kWarning, share), 0, em * 0.18f);  // white would be lost on snow
-    list.AddCircleFilled(middle, em * 0.32f, kNoticePlate);
+    list.AddCircleFilled(middle, em * 0.32f, palette().notice_plate);
     list.AddCircleFilled(middle, em * 0.24f, kWarning);
     const char* const say = tr("Try here");
     const ImVec2 size = ImGui::CalcTextSize(say), from{middle.x - size.x / 2, middle.y + em * 1.2f};
     list.AddRectFilled({from.x - em * 0.5f, from.y - em * 0.2f},
-                       {from.x + size.x + em * 0.5f, from.y + size.y + em * 0.2f}, kNoticePlate, em * 0.3f);
-    list.AddText(from, kText, say);
+                       {from.x + size.x + em * 0.5f, from.y + size.y + em * 0.2f}, palette().notice_plate,
+                       em * 0.3f);
+    list.AddText(from, palette().text, say);
     desk.widgets.note("Try here", from, {from.x + size.x, from.y + size.y});
 }
 
@@ -73,8 +74,9 @@ void low_line(Desk& desk, const char* text) {
     const ImVec2 from{std::round((desk.size.x - size.x) / 2), desk.size.y - 3 * em};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled({from.x - em * 0.8f, from.y - em * 0.4f},
-                       {from.x + size.x + em * 0.8f, from.y + size.y + em * 0.4f}, kPanel, em * 0.4f);
-    list.AddText(from, kText, text);
+                       {from.x + size.x + em * 0.8f, from.y + size.y + em * 0.4f}, palette().panel,
+                       em * 0.4f);
+    list.AddText(from, palette().text, text);
 }
 
 // Text with a shadow that makes it readable over snow.

@@ -25,10 +25,10 @@ class Table {
         const ImVec2 text = desk_.widgets.letters.small->CalcTextSizeA(small, 1e6f, 0, tr(name));
         const ImVec2 at = ImGui::GetCursorScreenPos(), size{text.x + em * 0.7f, em * kCapHeight};
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, kControl, em * 0.25f);
-        list.AddRect(at, {at.x + size.x, at.y + size.y}, kLine, em * 0.25f);
+        list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, palette().control, em * 0.25f);
+        list.AddRect(at, {at.x + size.x, at.y + size.y}, palette().line, em * 0.25f);
         list.AddText(desk_.widgets.letters.small, small, {at.x + em * 0.35f, at.y + (size.y - small) / 2},
-                     kText, tr(name));
+                     palette().text, tr(name));
         ImGui::Dummy(size);
         std::array<char, 32> label;
         std::snprintf(label.data(), label.size(), "key %s", name);

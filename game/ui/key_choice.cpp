@@ -102,7 +102,7 @@ void row(Desk& desk, std::size_t at, const Facts& facts, Actions& actions) {
     ImGui::AlignTextToFramePadding();
     const std::string_view meaning = tr(map.meaning(at));
     const bool lost = map.at(at).key == Key::kNone;
-    ImGui::PushStyleColor(ImGuiCol_Text, lost ? kWarning : kText);
+    ImGui::PushStyleColor(ImGuiCol_Text, lost ? kWarning : palette().text);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(meaning.data(), meaning.data() + meaning.size());
     ImGui::PopTextWrapPos();
@@ -118,7 +118,8 @@ void KeyChoice::hear(std::span<const Event> events) {
     for (const Event& event : events) {
         const auto* const pressed = std::get_if<KeyEvent>(&event);
         if (!pressed || !pressed->down || pressed->repeat) continue;
-        if (pressed->key == Key::kShift || pressed->key == Key::kControl || pressed->key == Key::kAlt)
+        if (pressed->key == Key::kShift || pressed->key == Key::kControl ||
+            pressed->key == Key::kAlt)
             continue;
         if (pressed->key == Key::kEscape) return end();
         got = Chord{pressed->key, pressed->with};

@@ -30,7 +30,8 @@ void draw_legend(const render::Legend& legend, float em, ImFont& letters) {
                       : legend.unit[0] == 'm' ? "%g %s"
                                               : "%g%s",
                       static_cast<double>(legend.stops[i].value), legend.unit);
-        list.AddText(&letters, letters.FontSize, {x, from.y + height + em * 0.15f}, kDimText, text.data());
+        list.AddText(&letters, letters.FontSize, {x, from.y + height + em * 0.15f}, palette().dim_text,
+                     text.data());
     }
     ImGui::Dummy({width, height + em * 0.15f + letters.FontSize});
 }

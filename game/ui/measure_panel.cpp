@@ -19,8 +19,8 @@ constexpr double kLeastSpeed = 5;                      // m/s, at the top of its
 void name_ends(Desk& desk, const Graph& graph) {
     ImFont* const letters = desk.widgets.letters.small;
     const float edge = 0.3f * desk.em(), high = letters->FontSize, y = graph.bottom() - edge - high;
-    graph.list().AddText(letters, high, {graph.left() + edge, y}, kText, "A");
-    graph.list().AddText(letters, high, {graph.right() - edge - 0.6f * high, y}, kText, "B");
+    graph.list().AddText(letters, high, {graph.left() + edge, y}, palette().text, "A");
+    graph.list().AddText(letters, high, {graph.right() - edge - 0.6f * high, y}, palette().text, "B");
 }
 
 // How the section is drawn.
@@ -71,7 +71,7 @@ void draw_profile(Desk& desk, const CrossSection& section, const Profile& profil
                    kBedrockColour);
         graph.fill(x0, x1, {a.ground, standing(a)}, {b.ground, standing(b)}, kStandingColour);
         graph.fill(x0, x1, {standing(a), rolling(a)}, {standing(b), rolling(b)}, kFlowColour);
-        graph.line(x0, rolling(a), x1, rolling(b), kText, 0.06f * desk.em());
+        graph.line(x0, rolling(a), x1, rolling(b), palette().text, 0.06f * desk.em());
     });
 }
 
@@ -79,7 +79,7 @@ void draw_speed(Desk& desk, const CrossSection& section, const Profile& profile,
     each_piece(section, [&](std::size_t i, const SectionPoint& a, const SectionPoint& b) {
         const double x0 = along(profile, i), x1 = along(profile, i + 1);
         graph.fill(x0, x1, {0, a.speed}, {0, b.speed}, faded(kFlowColour, 0.35f));
-        graph.line(x0, a.peak_speed, x1, b.peak_speed, kDimText, 0.06f * desk.em());
+        graph.line(x0, a.peak_speed, x1, b.peak_speed, palette().dim_text, 0.06f * desk.em());
         if (a.speed > 0 || b.speed > 0) graph.line(x0, a.speed, x1, b.speed, kFlowColour, 0.11f * desk.em());
     });
 }
@@ -133,7 +133,7 @@ void cross_section(Desk& desk, const CrossSection& section) {
                       {from_zero_to(fastest, kLeastSpeed), "m/s"});
     draw_speed(desk, section, profile, speed);
     const auto pointed = ground.pointed() ? ground.pointed() : speed.pointed();
-    if (pointed) ground.upright(*pointed, kText), speed.upright(*pointed, kText);
+    if (pointed) ground.upright(*pointed, palette().text), speed.upright(*pointed, palette().text);
     tell_section(desk, section, profile, pointed);
     desk.widgets.note("Of the line");
     desk.widgets.dim("Layers are drawn %.0f × as deep. Grey: the greatest speed so far.", profile.times);
@@ -165,9 +165,9 @@ void end_mark(Desk& desk, const std::optional<glm::dvec2>& at, const char* name,
     const float em = desk.em();
     const ImVec2 middle{static_cast<float>(at->x), static_cast<float>(at->y)},
         size = ImGui::CalcTextSize(name);
-    list.AddCircleFilled(middle, 0.75f * em, kPanel);
-    list.AddCircle(middle, 0.75f * em, kText, 0, 0.1f * em);
-    list.AddText({middle.x - size.x / 2, middle.y - size.y / 2}, kText, name);
+    list.AddCircleFilled(middle, 0.75f * em, palette().panel);
+    list.AddCircle(middle, 0.75f * em, palette().text, 0, 0.1f * em);
+    list.AddText({middle.x - size.x / 2, middle.y - size.y / 2}, palette().text, name);
 }
 
 // Its number, as in the list.
@@ -180,9 +180,9 @@ void house_mark(Desk& desk, const HouseMark& house, ImDrawList& list) {
     const ImVec2 from{static_cast<float>(house.at.x) - size.x / 2,
                       static_cast<float>(house.at.y) - size.y - 2 * edge};
     list.AddRectFilled({from.x - edge, from.y - edge / 2},
-                       {from.x + size.x + edge, from.y + size.y + edge / 2}, is_told ? kAccent : kPanel,
-                       edge);
-    list.AddText(from, is_told ? kAccentText : kText, number.data());
+                       {from.x + size.x + edge, from.y + size.y + edge / 2},
+                       is_told ? kAccent : palette().panel, edge);
+    list.AddText(from, is_told ? kAccentText : palette().text, number.data());
 }
 
 }  // namespace
@@ -209,7 +209,7 @@ void section_line(Desk& desk, const Facts& facts) {
     for (const GoalLine& piece : facts.section->pieces)
         list.AddLine(px(piece.from), px(piece.to), faded(kAccentText, 0.6f), 2.5f * thin);
     for (const GoalLine& piece : facts.section->pieces)
-        list.AddLine(px(piece.from), px(piece.to), kText, thin);
+        list.AddLine(px(piece.from), px(piece.to), palette().text, thin);
     end_mark(desk, facts.section->from, "A", list);
     end_mark(desk, facts.section->to, "B", list);
     if (!desk.measures_over_time) return;

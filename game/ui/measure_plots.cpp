@@ -46,13 +46,15 @@ template <class Value>
 void plot_title(Desk& desk, const Facts& facts, const Plot& plot, const Graph& graph, const Value& value) {
     ImFont* const letters = desk.widgets.letters.small;
     const float edge = 0.35f * desk.em(), y = graph.top() + 0.2f * desk.em();
-    graph.list().AddText(letters, letters->FontSize, {graph.left() + edge, y}, kDimText, tr(plot.name));
+    graph.list().AddText(letters, letters->FontSize, {graph.left() + edge, y}, palette().dim_text,
+                         tr(plot.name));
     const Sample* const at = sample_at(facts, desk.pointed_s.value_or(seconds_of(facts, facts.state.tick)));
     if (!at) return;
     std::array<char, 40> text;
     write_number(text, plot.format, value(*at));
     const float wide = letters->CalcTextSizeA(letters->FontSize, FLT_MAX, 0, text.data()).x;
-    graph.list().AddText(letters, letters->FontSize, {graph.right() - edge - wide, y}, kText, text.data());
+    graph.list().AddText(letters, letters->FontSize, {graph.right() - edge - wide, y}, palette().text,
+                         text.data());
 }
 
 // Asks for the time under the cursor while it is held. Returns that time.
@@ -70,12 +72,13 @@ void wall_line(Desk& desk, const Graph& graph, const Wall& wall, const Range& se
     const float y = graph.y(wall.pressure);
     ImFont* const letters = desk.widgets.letters.small;
     if (y < graph.top() + 2.2f * letters->FontSize) return;
-    graph.line(seconds.least, wall.pressure, seconds.most, wall.pressure, faded(kDimText, 0.5f),
+    graph.line(seconds.least, wall.pressure, seconds.most, wall.pressure, faded(palette().dim_text, 0.5f),
                0.06f * desk.em());
     const char* const words = tr(wall.what);
     const float wide = letters->CalcTextSizeA(letters->FontSize, FLT_MAX, 0, words).x;
     graph.list().AddText(letters, letters->FontSize,
-                         {graph.right() - 0.35f * desk.em() - wide, y - letters->FontSize}, kDimText, words);
+                         {graph.right() - 0.35f * desk.em() - wide, y - letters->FontSize},
+                         palette().dim_text, words);
 }
 
 struct OverTime {
@@ -102,7 +105,7 @@ std::optional<double> draw_plot(Desk& desk, const Facts& facts, const Plot& plot
     for (const Wall& wall : plot.walls) wall_line(desk, graph, wall, over.seconds);
     graph.upright(seconds_of(facts, facts.state.tick), kAccent);
     plot_title(desk, facts, plot, graph, value);
-    if (desk.pointed_s) graph.upright(*desk.pointed_s, kText);
+    if (desk.pointed_s) graph.upright(*desk.pointed_s, palette().text);
     return seek(facts, graph, actions);
 }
 
@@ -173,7 +176,7 @@ void plots_over_time(Desk& desk, const Facts& facts, Actions& actions) {
             pointed = at;
     };
     const bool has_houses = !history->houses().empty();
-    draw({"Run-out so far", "m", "%.0f m", kLeastRunOut, kText}, false,
+    draw({"Run-out so far", "m", "%.0f m", kLeastRunOut, palette().text}, false,
          [](const Sample& s) { return s.run_out; });
     draw({"Moving volume", "m³", "%.0f m³", kLeastVolume, kStandingColour}, false,
          [](const Sample& s) { return s.volume; });

@@ -181,7 +181,7 @@ void menu(Desk& desk, const Facts& facts, Actions& actions) {
         ImFont& letters = *desk.widgets.letters.title;
         const float low = desk.size.y < 36 * em ? 0.6f : 1;  // a window without room
         ImGui::GetWindowDrawList()->AddText(&letters, letters.FontSize * 0.62f * low, {left, 1.5f * margin},
-                                            kText, "Couloir");
+                                            palette().text, "Couloir");
         ImGui::SetCursorPos({left, kMenuTop * em * low * 0.9f});
         ImGui::BeginGroup();
         choices(desk, facts, width, actions);

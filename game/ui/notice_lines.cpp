@@ -28,11 +28,11 @@ void draw(const Desk& desk, const Line& line, ImVec2 from) {
     const float em = desk.em();
     const ImVec2 size = size_of(desk, line), to{from.x + size.x, from.y + size.y};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(from, to, faded(kPanel | IM_COL32_A_MASK, 0.94f * line.strength), em * 0.4f);
+    list.AddRectFilled(from, to, faded(palette().panel | IM_COL32_A_MASK, 0.94f * line.strength), em * 0.4f);
     list.AddRectFilled({from.x, from.y}, {from.x + em * 0.25f, to.y}, faded(line.mark, line.strength),
                        em * 0.4f, ImDrawFlags_RoundCornersLeft);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {from.x + em * 0.95f, from.y + em * 0.5f},
-                 faded(kText, line.strength), line.text, nullptr, line.most_width);
+                 faded(palette().text, line.strength), line.text, nullptr, line.most_width);
 }
 
 // The page of a shared slide: how much of it is done, as a number and as a bar along the lower edge.
@@ -42,7 +42,7 @@ void draw_progress(const Desk& desk, double done, const Line& line, ImVec2 from)
     const float em = desk.em(), left = from.x + em * 0.95f, y = from.y + size.y - em * 0.3f;
     const float width = size.x - 1.7f * em;
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled({left, y}, {left + width, y + em * 0.12f}, kControlHeld);
+    list.AddRectFilled({left, y}, {left + width, y + em * 0.12f}, palette().control_held);
     list.AddRectFilled({left, y}, {left + width * static_cast<float>(done), y + em * 0.12f}, kAccent);
 }
 

@@ -38,7 +38,7 @@ bool Widgets::usual_mark(const Number& number) {
     const bool pressed = ImGui::InvisibleButton("##usual", {side, side});
     const ImVec2 from = ImGui::GetItemRectMin();
     draw_icon(*ImGui::GetWindowDrawList(), Icon::kUndo, {from.x + side / 2, from.y + side / 2}, em * 0.75f,
-              ImGui::IsItemHovered() ? kText : kAccent);
+              ImGui::IsItemHovered() ? palette().text : kAccent);
     places_.note(label.data());
     tooltip(text.data());
     return pressed;
@@ -67,7 +67,7 @@ Typed Widgets::number(const Number& number) {
     }
     tooltip(number.tooltip);
     ImGui::SameLine(0, em * 0.4f);
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
     ImGui::TextUnformatted(number.unit);
     ImGui::PopStyleColor();
     if (number.editable && number.value != number.usual) {

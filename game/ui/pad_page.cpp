@@ -58,13 +58,13 @@ class PadPicture {
         for (std::size_t i = kRight.size(); i-- > 0;)
             list_.PathBezierCubicCurveTo(mirrored(kRight[i].and_by), mirrored(kRight[i].by),
                                          mirrored(i > 0 ? kRight[i - 1].to : kFrom));
-        list_.PathStroke(kDimText, ImDrawFlags_Closed, width_);
+        list_.PathStroke(palette().dim_text, ImDrawFlags_Closed, width_);
     }
     void ring(glm::vec2 centre, float radius) const {
-        list_.AddCircle(at(centre), radius * half_, kDimText, 0, width_);
+        list_.AddCircle(at(centre), radius * half_, palette().dim_text, 0, width_);
     }
     void box(glm::vec2 from, glm::vec2 to) const {
-        list_.AddRect(at(from), at(to), kDimText, half_ * 0.02f, 0, width_);
+        list_.AddRect(at(from), at(to), palette().dim_text, half_ * 0.02f, 0, width_);
     }
 
     ImDrawList& list_;
@@ -117,8 +117,8 @@ void callouts(Desk& desk, std::span<const Callout> all, ImVec2 from, ImVec2 size
         const std::string_view name = tr(callout.name), meaning = tr(meaning_of(callout.name));
         list.AddText(desk.widgets.letters.small, small, {from.x, top}, kAccent, name.data(),
                      name.data() + name.size());
-        list.AddText(desk.widgets.letters.usual, em, {from.x, top + small + em * 0.1f}, kText, meaning.data(),
-                     meaning.data() + meaning.size(), size.x);
+        list.AddText(desk.widgets.letters.usual, em, {from.x, top + small + em * 0.1f}, palette().text,
+                     meaning.data(), meaning.data() + meaning.size(), size.x);
         desk.widgets.note(callout.name, {from.x, top}, {from.x + size.x, top + each});
         picture.point_at(callout.part, {at_right ? from.x - em * 0.4f : from.x + size.x, top + small * 0.6f});
         top += each;

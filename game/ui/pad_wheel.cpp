@@ -35,24 +35,26 @@ void pad_wheel(Desk& desk, const Facts& facts) {
     const ImVec2 middle{desk.size.x / 2, desk.size.y / 2};
     ImFont &usual = *desk.widgets.letters.usual, &small = *desk.widgets.letters.small;
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddCircle(middle, radius, faded(kNoticePlate, 0.85f), 0, kRimWidth * em);
-    list.AddCircleFilled(middle, radius * 0.55f, faded(kNoticePlate, 0.9f));
+    list.AddCircle(middle, radius, faded(palette().notice_plate, 0.85f), 0, kRimWidth * em);
+    list.AddCircleFilled(middle, radius * 0.55f, faded(palette().notice_plate, 0.9f));
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const double turn =
             2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(choices.size());
         const ImVec2 at{middle.x + radius * static_cast<float>(std::sin(turn)),
                         middle.y - radius * static_cast<float>(std::cos(turn))};
         const bool on = chosen == i;
-        const ImU32 colour = on ? kAccentText : is_offered(choices[i], facts) ? kText : faded(kDimText, 0.5f);
+        const ImU32 colour = on                              ? kAccentText
+                             : is_offered(choices[i], facts) ? palette().text
+                                                             : faded(palette().dim_text, 0.5f);
         if (on) list.AddCircleFilled(at, kChosenRadius * em, kAccent);
         const Tool* const tool = std::get_if<Tool>(&choices[i].does);
         if (tool) draw_icon(list, info_of(*tool).plain->icon, {at.x, at.y - em * 0.5f}, em * 1.3f, colour);
         centred(list, small, {at.x, at.y + (tool ? em * 0.9f : 0)}, colour, tr(choices[i].label));
         desk.widgets.note(choices[i].label, {at.x - em, at.y - em}, {at.x + em, at.y + em});
     }
-    centred(list, usual, {middle.x, middle.y - em * 0.3f}, chosen ? kText : kDimText,
+    centred(list, usual, {middle.x, middle.y - em * 0.3f}, chosen ? palette().text : palette().dim_text,
             tr(chosen ? choices[*chosen].label : std::string_view("Point with a stick")));
-    centred(list, small, {middle.x, middle.y + em * 0.9f}, kDimText, tr("let go to take it"));
+    centred(list, small, {middle.x, middle.y + em * 0.9f}, palette().dim_text, tr("let go to take it"));
 }
 
 }  // namespace game::ui

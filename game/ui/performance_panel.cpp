@@ -55,7 +55,7 @@ void axis(Desk& desk, ImDrawList& list, const Chart& chart) {
         std::array<char, 24> text;
         std::snprintf(text.data(), text.size(), format, static_cast<double>(ms));
         list.AddText(letters, letters->FontSize,
-                     {chart.to.x + desk.em() * 0.3f, chart.y(ms) - letters->FontSize / 2}, kDimText,
+                     {chart.to.x + desk.em() * 0.3f, chart.y(ms) - letters->FontSize / 2}, palette().dim_text,
                      text.data());
     };
     for (const float ms : kRates) {

@@ -40,7 +40,7 @@ void slope(Desk& desk, const Facts& facts, const Reading& reading) {
     const float y = at.y + (ImGui::GetFrameHeight() - side) / 2;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x, y}, {at.x + side * 1.6f, y + side}, *colour, side * 0.25f);
-    list.AddRect({at.x, y}, {at.x + side * 1.6f, y + side}, kLine, side * 0.25f);
+    list.AddRect({at.x, y}, {at.x + side * 1.6f, y + side}, palette().line, side * 0.25f);
     ImGui::Dummy({side * 1.6f, side});
 }
 

@@ -19,7 +19,7 @@ void run_ends(Desk& desk, const Facts& facts) {
         for (const RunEnd& end : facts.runs->ends) {
             if (end.is_open != is_open) continue;
             list.AddCircleFilled(px(end.at), radius(end) + 0.1f * em, faded(kAccentText, 0.7f));
-            list.AddCircleFilled(px(end.at), radius(end), is_open ? kWarning : kText);
+            list.AddCircleFilled(px(end.at), radius(end), is_open ? kWarning : palette().text);
         }
     if (!facts.runs->under) return;
     const RunsNote::Under& under = *facts.runs->under;
@@ -30,8 +30,8 @@ void run_ends(Desk& desk, const Facts& facts) {
     const ImVec2 corner{std::min(at.x + 1.5f * em, desk.size.x - size.x - edge),
                         std::max(at.y - size.y - em, edge)};
     list.AddRectFilled({corner.x - edge, corner.y - edge},
-                       {corner.x + size.x + edge, corner.y + size.y + edge}, kPanel, edge);
-    list.AddText(corner, kText, from, to);
+                       {corner.x + size.x + edge, corner.y + size.y + edge}, palette().panel, edge);
+    list.AddText(corner, palette().text, from, to);
     desk.widgets.note("Run under the cursor", corner, {corner.x + size.x, corner.y + size.y});
 }
 

@@ -22,20 +22,20 @@ ImVec2 sum(ImVec2 at, glm::dvec2 away, float times) {
 // A light line that can be seen on snow too.
 void line_on_snow(ImDrawList& list, ImVec2 from, ImVec2 to, float em) {
     list.AddLine(from, to, faded(kAccentText, 0.7f), 0.24f * em);
-    list.AddLine(from, to, kText, 0.09f * em);
+    list.AddLine(from, to, palette().text, 0.09f * em);
 }
 
 void draw_arrow(ImDrawList& list, ImVec2 middle, const Compass& compass, const Letters& letters, float em) {
     constexpr float kTip = 0.6f, kTail = 0.95f, kNotch = 0.65f, kHalfWidth = 0.5f;  // em
     const ImVec2 tip = sum(middle, compass.north, kTip * em), tail = sum(middle, compass.north, -kTail * em),
                  notch = sum(middle, compass.north, -kNotch * em);
-    list.AddTriangleFilled(tip, sum(tail, compass.east, kHalfWidth * em), notch, kDimText);
-    list.AddTriangleFilled(tip, sum(tail, compass.east, -kHalfWidth * em), notch, kText);
+    list.AddTriangleFilled(tip, sum(tail, compass.east, kHalfWidth * em), notch, palette().dim_text);
+    list.AddTriangleFilled(tip, sum(tail, compass.east, -kHalfWidth * em), notch, palette().text);
     const char* const north = tr("N");
     const ImVec2 size = letters.small->CalcTextSizeA(letters.small->FontSize, 1e6f, 0, north);
     const ImVec2 at = sum(tip, glm::normalize(compass.north), 0.65f * em);
-    list.AddText(letters.small, letters.small->FontSize, {at.x - size.x / 2, at.y - size.y / 2}, kText,
-                 north);
+    list.AddText(letters.small, letters.small->FontSize, {at.x - size.x / 2, at.y - size.y / 2},
+                 palette().text, north);
 }
 
 // A bar of a round length, with that length above it.
@@ -44,11 +44,12 @@ void draw_scale(ImDrawList& list, ImVec2 left, double metre_px, float em) {
     const auto length = static_cast<float>(metres * metre_px);
     std::array<char, 40> text;
     write_number(text, metres < 1 ? "%.2g m" : "%.0f m", metres);
-    list.AddText({left.x, left.y - 1.45f * em}, kText, text.data());
+    list.AddText({left.x, left.y - 1.45f * em}, palette().text, text.data());
     const float thick = 0.12f * em, high = 0.45f * em;
     const ImVec2 right{left.x + length, left.y};
-    list.AddLine(left, right, kText, thick);
-    for (const ImVec2 end : {left, right}) list.AddLine({end.x, end.y - high}, {end.x, end.y}, kText, thick);
+    list.AddLine(left, right, palette().text, thick);
+    for (const ImVec2 end : {left, right})
+        list.AddLine({end.x, end.y - high}, {end.x, end.y}, palette().text, thick);
 }
 
 // A corner between the bars and beside the open panels that nothing covers.
@@ -71,7 +72,7 @@ std::optional<Box> draw_compass(Desk& desk, const Compass& compass, const Box& r
     const float em = desk.em(), width = compass.metre_px ? kArrow + kLongestBar + kGap : kArrow;
     const auto box = free_corner(desk, room, {width * em, kCompassHeight * em});
     if (!box) return box;
-    list.AddRectFilled(box->from, box->to, kPanel, kPlateEdge * em);
+    list.AddRectFilled(box->from, box->to, palette().panel, kPlateEdge * em);
     const ImVec2 from = box->from;
     draw_arrow(list, {from.x + kArrow / 2 * em, from.y + kCompassHeight / 2 * em}, compass,
                desk.widgets.letters, em);
@@ -86,9 +87,9 @@ void draw_label(Desk& desk, const LabelLayout::Label& label, ImDrawList& list) {
     const char* const name = SlideParts::kNames[label.key];
     line_on_snow(list, label.at, label.line_end, em);
     list.AddCircleFilled(label.at, 0.26f * em, faded(kAccentText, 0.8f));
-    list.AddCircleFilled(label.at, 0.17f * em, kText);
-    list.AddRectFilled(label.plate.from, label.plate.to, kPanel, edge);
-    list.AddText({label.plate.from.x + edge, label.plate.from.y + edge / 2}, kText, tr(name));
+    list.AddCircleFilled(label.at, 0.17f * em, palette().text);
+    list.AddRectFilled(label.plate.from, label.plate.to, palette().panel, edge);
+    list.AddText({label.plate.from.x + edge, label.plate.from.y + edge / 2}, palette().text, tr(name));
     desk.widgets.note(name, label.plate.from, label.plate.to);
 }
 

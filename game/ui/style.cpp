@@ -38,16 +38,16 @@ ImVec4 colour(ImU32 packed) {
 void set_colours(ImGuiStyle& style) {
     ImGui::StyleColorsDark(&style);
     auto& colours = style.Colors;
-    colours[ImGuiCol_Text] = colour(kText);
-    colours[ImGuiCol_TextDisabled] = colour(kDimText);
-    colours[ImGuiCol_WindowBg] = colour(kPanel);
+    colours[ImGuiCol_Text] = colour(palette().text);
+    colours[ImGuiCol_TextDisabled] = colour(palette().dim_text);
+    colours[ImGuiCol_WindowBg] = colour(palette().panel);
     colours[ImGuiCol_PopupBg] = colour(IM_COL32(24, 30, 38, 250));
     colours[ImGuiCol_ChildBg] = colours[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
-    colours[ImGuiCol_Border] = colour(IM_COL32(255, 255, 255, 22));
-    colours[ImGuiCol_Separator] = colour(kLine);
-    colours[ImGuiCol_FrameBg] = colours[ImGuiCol_Button] = colour(kControl);
-    colours[ImGuiCol_FrameBgHovered] = colours[ImGuiCol_ButtonHovered] = colour(kControlHovered);
-    colours[ImGuiCol_FrameBgActive] = colours[ImGuiCol_ButtonActive] = colour(kControlHeld);
+    colours[ImGuiCol_Border] = colour(palette().border);
+    colours[ImGuiCol_Separator] = colour(palette().line);
+    colours[ImGuiCol_FrameBg] = colours[ImGuiCol_Button] = colour(palette().control);
+    colours[ImGuiCol_FrameBgHovered] = colours[ImGuiCol_ButtonHovered] = colour(palette().control_hovered);
+    colours[ImGuiCol_FrameBgActive] = colours[ImGuiCol_ButtonActive] = colour(palette().control_held);
     colours[ImGuiCol_Header] = colour(faded(kAccent, 0.35f));
     colours[ImGuiCol_HeaderHovered] = colour(faded(kAccent, 0.5f));
     colours[ImGuiCol_HeaderActive] = colour(faded(kAccent, 0.6f));
@@ -56,8 +56,8 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_SliderGrab] = colours[ImGuiCol_SliderGrabActive] = {0, 0, 0, 0};
     colours[ImGuiCol_TextSelectedBg] = colour(faded(kAccent, 0.45f));
     colours[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
-    colours[ImGuiCol_ScrollbarGrab] = colour(kControlHovered);
-    colours[ImGuiCol_ScrollbarGrabHovered] = colour(kControlHeld);
+    colours[ImGuiCol_ScrollbarGrab] = colour(palette().control_hovered);
+    colours[ImGuiCol_ScrollbarGrabHovered] = colour(palette().control_held);
     colours[ImGuiCol_ScrollbarGrabActive] = colour(faded(kAccent, 0.75f));
 }
 
@@ -80,6 +80,18 @@ void set_measures(ImGuiStyle& style, float em) {
 
 }  // namespace
 
+const Palette& palette() {
+    return *static_cast<const Palette*>(ImGui::GetIO().UserData);
+}
+
+void set_contrast(bool high) {
+    const Palette* const wanted = high ? &kHighContrastPalette : &kUsualPalette;
+    void*& chosen = ImGui::GetIO().UserData;
+    if (chosen == wanted) return;
+    chosen = const_cast<Palette*>(wanted);  // ImGui keeps it as void*; palette() alone reads it
+    set_colours(ImGui::GetStyle());
+}
+
 Letters set_letters(const std::optional<std::filesystem::path>& font, float em) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -89,7 +101,7 @@ Letters set_letters(const std::optional<std::filesystem::path>& font, float em) 
     letters.title = letters_of(*io.Fonts, font, std::round(em * kTitle), kTitleGlyphs);
     io.Fonts->Build();
     io.FontDefault = letters.usual;
-    set_colours(ImGui::GetStyle());
+    if (!io.UserData) set_contrast(false);
     set_measures(ImGui::GetStyle(), em);
     return letters;
 }

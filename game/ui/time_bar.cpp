@@ -84,7 +84,7 @@ void controls(Desk& desk, const Facts& facts, Actions& actions) {
 // The state of the clock, for the user; empty at normal speed.
 struct Pace {
     std::array<char, 32> text{};
-    ImU32 colour = kDimText;
+    ImU32 colour = palette().dim_text;
 };
 
 Pace pace_of(const Facts& facts) {
@@ -129,7 +129,7 @@ void moment(Desk& desk, const Facts& facts) {
     const float gap = desk.em() * 0.7f;
     ImGui::SameLine(0, gap);
     if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(tick.data()).x + gap <= pace_from) {
-        coloured(tick.data(), kDimText);
+        coloured(tick.data(), palette().dim_text);
         desk.widgets.note("Tick");
         ImGui::SameLine();
     }
@@ -156,7 +156,7 @@ const TimeMark* marks_over(Desk& desk, const Facts& facts, ImVec2 corner, float 
             list.AddQuadFilled({x, top - size}, {x + size, top}, {x, top + size}, {x - size, top}, kDanger);
         else
             list.AddTriangleFilled({x - size, top - size}, {x + size, top - size}, {x, top + size},
-                                   on ? kText : kDimText);
+                                   on ? palette().text : palette().dim_text);
     }
     return under;
 }
@@ -175,10 +175,11 @@ void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     const float knob = corner.x + width * static_cast<float>(static_cast<double>(facts.state.tick) / known);
     const float middle = corner.y + em * 0.45f, thick = em * 0.11f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({corner.x, middle - thick}, {corner.x + width, middle + thick}, kControlHeld, thick);
+    list.AddRectFilled({corner.x, middle - thick}, {corner.x + width, middle + thick}, palette().control_held,
+                       thick);
     list.AddRectFilled({corner.x, middle - thick}, {knob, middle + thick}, kAccent, thick);
     list.AddCircleFilled({std::clamp(knob, corner.x + em * 0.3f, corner.x + width - em * 0.3f), middle},
-                         em * (near ? 0.36f : 0.28f), near ? kText : kAccent);
+                         em * (near ? 0.36f : 0.28f), near ? palette().text : kAccent);
     const TimeMark* const mark = marks_over(desk, facts, corner, width, known);
     const double to = mark ? static_cast<double>(mark->tick) : pointed;
     if (held) actions.emplace_back(SeekTick{std::llround(to)});

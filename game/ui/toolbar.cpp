@@ -136,7 +136,7 @@ void sizes(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     std::snprintf(purpose.data(), purpose.size(), tr("Hold the left button to %s"), tr(facts.deed.purpose));
     flow.next(ImGui::CalcTextSize(purpose.data()).x);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
     ImGui::TextUnformatted(purpose.data());
     ImGui::PopStyleColor();
 }
@@ -226,7 +226,7 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
     const char* title = tr(title_in(facts.catalogue.materials, facts.scenario.material));
     flow.next(ImGui::CalcTextSize(title).x, 0.7f * em);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
     ImGui::TextUnformatted(title);
     ImGui::PopStyleColor();
     desk.widgets.note("Material of the world");

@@ -204,6 +204,7 @@ bool Ui::perform(Verb verb) {
 
 void Ui::build(const Facts& facts, Actions& actions) {
     Desk& desk = parts_->desk;
+    set_contrast(facts.display.contrast);
     desk.widgets.begin_frame(static_cast<double>(ImGui::GetIO().DeltaTime));
     if (facts.opening_s) {
         opening(desk, facts);

@@ -20,7 +20,9 @@ constexpr float kLabelShare = 0.42f;   // of a row's width
 ImU32 plate_colour(bool on) {
     const bool hovered = ImGui::IsItemHovered();
     if (on) return hovered ? kAccent : faded(kAccent, 0.88f);
-    return ImGui::IsItemActive() ? kControlHeld : hovered ? kControlHovered : kControl;
+    return ImGui::IsItemActive() ? palette().control_held
+           : hovered             ? palette().control_hovered
+                                 : palette().control;
 }
 
 // Applies BeginDisabled, which ImDrawList ignores.
@@ -71,7 +73,7 @@ float widest_word(std::string_view text) {
 
 // Of words and icons; light on the accent too once that is greyed.
 ImU32 colour_on_plate(bool on) {
-    return on && enabled() ? kAccentText : kText;
+    return on && enabled() ? kAccentText : palette().text;
 }
 
 }  // namespace
@@ -239,7 +241,7 @@ bool Widgets::tool_button(const char* label, std::span<const IconPart> icon, con
     const float small = letters.small->FontSize;
     x = from.x + width - em * 0.6f - letters.small->CalcTextSizeA(small, FLT_MAX, 0, key).x;
     list.AddText(letters.small, small, {x, from.y + (side - small) / 2},
-                 alive(on && enabled() ? faded(kAccentText, 0.7f) : kDimText), key);
+                 alive(on && enabled() ? faded(kAccentText, 0.7f) : palette().dim_text), key);
     tooltip(text);
     return pressed;
 }
@@ -257,7 +259,7 @@ bool Widgets::menu_button(const char* label, const char* note, bool on, ImVec2 s
     if (ImGui::CalcTextSize(tr(label)).x > size.x - left * 1.5f) places_.note_cut(tr(label));
     if (below > 0)
         list.AddText(letters.small, small, {from.x + left, top + em + gap},
-                     alive(on ? faded(kAccentText, 0.8f) : kDimText), tr(note));
+                     alive(on ? faded(kAccentText, 0.8f) : palette().dim_text), tr(note));
     list.PopClipRect();
     return pressed;
 }
@@ -274,7 +276,8 @@ bool Widgets::card(const Card& card, ImVec2 size, bool on) {
                              alive(card.is_closed ? IM_COL32(110, 115, 125, 255) : IM_COL32_WHITE), rounding,
                              ImDrawFlags_RoundCornersTop);
     if (card.is_closed)
-        draw_icon(list, Icon::kLock, {(from.x + to.x) / 2, from.y + high / 2}, em * 1.6f, alive(kText));
+        draw_icon(list, Icon::kLock, {(from.x + to.x) / 2, from.y + high / 2}, em * 1.6f,
+                  alive(palette().text));
     const ImU32 colour = alive(colour_on_plate(on));
     list.PushClipRect(from, {to.x - pad / 2, to.y}, true);
     list.AddText(nullptr, 0, {from.x + pad, picture_to.y + pad * 0.6f}, colour, tr(card.label), nullptr,
@@ -379,7 +382,7 @@ bool Widgets::choice_item(const char* name, int index, bool chosen) {
 void Widgets::row(const char* label) {
     const float from = ImGui::GetCursorPosX(), wide = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
     ImGui::PushTextWrapPos(from + wide * kLabelShare);
     ImGui::TextUnformatted(tr(label));
     if (widest_word(tr(label)) > wide * kLabelShare) places_.note_cut(tr(label));
@@ -401,7 +404,7 @@ void Widgets::caption(const char* text, float width) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float high = letters.small->FontSize;
     ImGui::Dummy({width, high});  // a text would stand on the line of the widget before
-    ImGui::GetWindowDrawList()->AddText(letters.small, high, from, kDimText, tr(text));
+    ImGui::GetWindowDrawList()->AddText(letters.small, high, from, palette().dim_text, tr(text));
     if (letters.small->CalcTextSizeA(high, FLT_MAX, 0, tr(text)).x > width) places_.note_cut(tr(text));
 }
 
@@ -409,7 +412,7 @@ void Widgets::dim(const char* format, ...) {
     va_list arguments;
     va_start(arguments, format);
     ImGui::PushFont(letters.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
     ImGui::PushTextWrapPos(0);
     ImGui::TextV(tr(format), arguments);
     ImGui::PopTextWrapPos();
@@ -444,7 +447,7 @@ void Widgets::warn_over_foot(const char* label, const char* text) {
     const ImVec2 to{window.x + size.x, window.y + size.y};
     const ImVec2 from{window.x, to.y - words.y - 2 * pad.y};
     ImDrawList& list = *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(from, to, kNoticePlate, ImGui::GetStyle().WindowRounding);
+    list.AddRectFilled(from, to, palette().notice_plate, ImGui::GetStyle().WindowRounding);
     list.AddRectFilled(from, {from.x + em * 0.2f, to.y}, kWarning);
     list.AddText(letters.usual, em, {from.x + pad.x, from.y + pad.y}, kWarning, text, nullptr, width);
     places_.note(label, from, to);

@@ -44,6 +44,7 @@ Settings changed() {
     display.contours = display.labels = true;
     display.language = "de";
     display.field_words = true;
+    display.contrast = true;
     display.trees = display.ghost = display.ends = false;
     display.slow_release = display.fast_creep = display.shows_shared = false;
     display.detail = 0.25f;

@@ -28,7 +28,7 @@ const std::vector<PanelFacts> kPanels{
 
 class UiPanels : public UiHand {
   protected:
-    void SetUp() override { begin_anew({1600, 1000, 1}); }
+    void SetUp() override { begin_anew({1600, 1080, 1}); }
 
     // Slides to so many px beyond the slider's right end, asks for nothing on the way, and lets it go.
     Actions slide(const char* label, double px) {
