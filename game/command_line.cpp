@@ -338,7 +338,7 @@ void add_camera(CLI::App& app, std::optional<Viewpoint>& view, FilmView* film) {
     if (film)
         help +=
             "; a film also: chase (stays ahead of the front), front (looks up from where the slide comes to "
-            "rest), top (sees all from above), scene";
+            "rest), top (sees all from above), path (along the camera path of the scene), scene";
     app.add_option_function<std::string>(
            "--camera",
            [&view, film](const std::string& text) {
@@ -469,6 +469,17 @@ void add_film(CLI::App& app, FilmOptions& options) {
                       ->type_name("FILE.mp4");
     add_number(app, "--fps", "N", options.fps, kFps, "show so many images per second in the film", "60")
         ->needs(video);
+    app.add_option_function<std::string>(
+           "--camera-path",
+           [&options](const std::string& file) {
+               options.path_file = file;
+               options.view = FilmView::kPath;
+           },
+           "move the camera of the film along the keys of this file, as the Film panel saves it "
+           "(docs/film.md)")
+        ->type_name("FILE.toml")
+        ->needs(video)
+        ->excludes("--camera");
     app.add_flag("--silent", options.silent, "make the film without sound");
 }
 

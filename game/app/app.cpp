@@ -265,7 +265,19 @@ void App::move_camera(double elapsed_s) {
                                                  .now_s = now_s()}))
             lookout_.control().cut_to(*pose);
     if (photo_.is_on()) photo_.fit(lookout_.control(), lookout_.aspect());
+    if (path_.plays() && !photo_.is_on()) return preview_path(elapsed_s);
     lookout_.move(input_, open_.front.front(), world, elapsed_s);
+}
+
+// The camera follows its path while time runs. It ends at the last key, or when the user moves the camera.
+void App::preview_path(double elapsed_s) {
+    const Session& session = sandbox_->session();
+    lookout_.control().cut_to(
+        CameraRoom(session.view(), lookout_.surroundings()).inside(path_.spline().at(session.seconds())));
+    const render::Camera pose = lookout_.camera();
+    lookout_.move(input_, std::nullopt, session.view(), elapsed_s);
+    const bool is_over = !time_.target() && session.seconds() >= path_.spline().ends_s();
+    if (is_over || !look_alike(lookout_.camera(), pose)) path_.stop();
 }
 
 void App::guide_stroke() {
@@ -785,6 +797,7 @@ void App::draw_panels() {
             .image = image_.size(),
             .sharing = sharing_.progress(),
             .filming = filming_.progress(),
+            .path = {path_.keys(), path_.plays(), session.seconds()},
             .photo = photo_note(),
             .making_challenge = maker_.is_busy(),
             .may_try = first_.watched && first_.scene.scenario.goal,

@@ -37,6 +37,7 @@
 #include "game/controls/input.h"
 #include "game/controls/lookout.h"
 #include "game/controls/notices.h"
+#include "game/controls/path_maker.h"
 #include "game/controls/probe.h"
 #include "game/controls/screen.h"
 #include "game/controls/shots.h"
@@ -91,6 +92,7 @@ class App {
     const render::Camera& camera() const { return lookout_.camera(); }
     const ui::Ui& panels() const { return ui_; }
     const Ghost& ghost() const { return ghost_; }
+    const PathMaker& path() const { return path_; }
     const std::optional<ShownRuns>& runs() const { return runs_; }
     bool is_making_challenge() const { return maker_.is_busy(); }
     bool is_filming() const { return filming_.progress().has_value(); }
@@ -108,6 +110,7 @@ class App {
     std::span<const Event> poll(double elapsed_s);
     void perform_all();
     void move_camera(double elapsed_s);
+    void preview_path(double elapsed_s);
     void guide_stroke();
     void focus_photo();
     void run_ticks(double elapsed_s, FrameTime& time);
@@ -154,6 +157,13 @@ class App {
     void perform(const ShowFile& wish);
     bool is_in_use(const std::filesystem::path& file);  // true: said so
     void perform(const StopFilm&);
+    void perform(const EditPath& wish);
+    void go_to_key(std::size_t key);
+    std::int64_t tick_of(const CameraKey& key) const;
+    void play_path();
+    void save_path();
+    void load_path();
+    Outcome<std::filesystem::path> path_file() const;
     void perform(const DrawSection& wish);
     bool perform_in_photo(Verb verb);  // false: as always
     void begin_photo();
@@ -281,6 +291,7 @@ class App {
     Screenshots screenshots_;
     Sharing sharing_;
     Filming filming_;
+    PathMaker path_;
     ChallengeMaker maker_;
 };
 

@@ -515,6 +515,8 @@ void App::perform(const FilmSlide& film) {
     if (filming_.progress()) return tell(tr("A film is being made already. Start the next one after it"));
     if (known == session.state().tick && session.changed_at() <= 1)
         return tell(tr("Nothing to film yet, because nothing has moved. Release a slide first"));
+    if (film.wish.view == FilmView::kPath && !path_.is_path())
+        return tell(tr("A camera path needs two keys or more: add them in the Film panel"));
     Memory memory = first_.memory;
     memory.use.sessions = 2;  // the film plays the slide anew
     memory.use.draws = true;
@@ -532,7 +534,8 @@ void App::perform(const FilmSlide& film) {
                                .name = dated_name(scenario.scene),
                                .last = last,
                                .camera = camera(),
-                               .light = display_.light},
+                               .light = display_.light,
+                               .path = path_.keys()},
                               film.wish);
     });
     if (!begun) warn(said("This slide cannot be filmed: {}", begun.error().sentence));
@@ -663,6 +666,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     const bool same =
         sandbox_ && (of_runs || ground_hash(sandbox_->scenario()) == ground_hash(loaded.scene.scenario));
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
+    const bool same_path =
+        same_scene && sandbox_->scenario().camera_path == loaded.scene.scenario.camera_path;
     if (const auto& flow = loaded.scene.scenario.look.flow)
         if (auto ready = image_.load(flow->pattern); !ready) return ready;
     // While a recording is watched, nothing is recorded until it is taken over.
@@ -697,6 +702,8 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     time_.begin_world();
 
     const Scenario& scenario = sandbox_->scenario();
+    path_.stop();
+    if (!same_path) path_.begin(scenario.camera_path);
     best_list_.open(scenario);
     Memory with_ghost = first_.memory;
     with_ghost.use.sessions = 2;

@@ -11,6 +11,7 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/controls/front_view.h"
+#include "game/scene/camera_keys.h"
 
 namespace game {
 namespace {
@@ -27,6 +28,14 @@ std::int64_t images_until(std::int64_t ticks, const Session& session, int fps) {
 }
 
 }  // namespace
+
+Outcome<std::vector<CameraKey>> path_of_film(const FilmOptions& options, const Scenario& scenario) {
+    if (options.path_file) return load_camera_path(*options.path_file);
+    if (scenario.camera_path.empty())
+        return unusable(
+            "--camera path: the scene has no camera path; give the file of one with --camera-path FILE.toml");
+    return scenario.camera_path;
+}
 
 Outcome<render::Camera> front_camera(const Scenario& scenario, std::span<const TimedCommand> commands,
                                      std::int64_t last_tick, const sim::StepOptions& options) {
@@ -46,8 +55,9 @@ FilmedSession::FilmedSession(const FilmOptions& options, Film film, const Sessio
                              std::int64_t ticks, const render::Camera& home, Gallery& gallery)
     : gallery_(&gallery),
       film_(std::move(film)),
-      camera_(options.view, home, session.view(), gallery.surroundings()),
+      camera_(options.view, home, session.view(), gallery.surroundings(), options.path, session.seconds()),
       fps_(options.fps),
+      begins_s_(session.seconds()),
       first_(session.state().tick),
       ticks_(ticks) {}
 
@@ -87,7 +97,9 @@ Outcome<void> FilmedSession::see(const Session& session, std::span<const sim::Co
     std::int64_t due = images_until(passed, session, fps_);
     if (passed == ticks_) due = std::max<std::int64_t>(due, 1);
     while (film_.frames() < due) {
-        camera_.move(session.view(), gallery_->surroundings(), aspect_of(gallery_->size()), 1. / fps_);
+        const double ends_s = static_cast<double>(film_.frames() + 1) / fps_;
+        camera_.move(session.view(), gallery_->surroundings(), aspect_of(gallery_->size()),
+                     {.elapsed_s = 1. / fps_, .world_s = begins_s_ + ends_s});
         if (auto added = film_.add(gallery_->image(session, camera_.camera())); !added) return added;
     }
     if (!sound_) return {};

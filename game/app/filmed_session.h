@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "game/analysis/gallery.h"
 #include "game/base/outcome.h"
@@ -24,7 +25,12 @@ struct FilmOptions {
     int fps = 60;  // images per second of the world and of the film, 1 to 120
     FilmView view = FilmView::kScene;
     bool silent = false;
+    std::optional<std::filesystem::path> path_file = {};  // of kPath; none: the path of the scene
+    std::vector<CameraKey> path = {};                     // of kPath
 };
+
+// The camera path of a film: from its file, or else that of the scene. Errors (2): it cannot be read, or there is none.
+Outcome<std::vector<CameraKey>> path_of_film(const FilmOptions& options, const Scenario& scenario);
 
 // Where view_from_front() of the whole run stands. Plays it until this tick. Errors: it cannot be played; nothing flows (2).
 Outcome<render::Camera> front_camera(const Scenario& scenario, std::span<const TimedCommand> commands,
@@ -55,6 +61,7 @@ class FilmedSession {
     Film film_;
     FilmCamera camera_;
     int fps_;
+    double begins_s_;             // of the world
     std::int64_t first_, ticks_;  // tick it begins at; how many
     std::string notice_;
     std::optional<PartFile> wav_;

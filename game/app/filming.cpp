@@ -79,9 +79,9 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
 
     auto gallery = Gallery::open(std::nullopt, {wish.width, wish.height}, "auto", scenario);
     if (!gallery) return tl::unexpected(gallery.error());
-    auto film =
-        FilmedSession::open({.file = made.file, .fps = wish.fps, .view = wish.view, .silent = wish.silent},
-                            *session, subject.last - first, camera, *gallery);
+    auto film = FilmedSession::open(
+        {.file = made.file, .fps = wish.fps, .view = wish.view, .silent = wish.silent, .path = subject.path},
+        *session, subject.last - first, camera, *gallery);
     if (!film) return tl::unexpected(film.error());
     made.notice = film->notice();
     const auto length = static_cast<float>(subject.last - first);

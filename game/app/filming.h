@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "game/base/job.h"
 #include "game/base/outcome.h"
@@ -24,6 +25,7 @@ class Filming {
         std::int64_t last = 0;  // tick; it begins shortly before the first command
         render::Camera camera;  // as the window sees it, and the light
         render::Light light;
+        std::vector<CameraKey> path = {};  // of FilmView::kPath
     };
     // Starts; nothing must be under way. Errors: the system cannot start a thread.
     Outcome<void> begin(Subject subject, const FilmWish& wish);

@@ -37,6 +37,7 @@ inline constexpr std::size_t kMostDottedKeys = 1000;
 inline constexpr std::size_t kMostKeyParts = 8;
 inline constexpr std::size_t kMostTomlDepth = 32;                             // of nested lists and tables
 inline constexpr double kFarthestPlace = 1e7;                                 // m, of a coordinate of a place
+inline constexpr std::size_t kFewestCameraKeys = 2, kMostCameraKeys = 64;     // of a camera path
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
 // Languages.
@@ -72,6 +73,7 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording, scene", "commands in one tick", sim::kMostCommandsPerTick, ""},
     {"recording, scene", "commands that run at once", sim::kMostRunningCommands, ""},
     {"recording, scene", "corners of a polygon of trees", kMostTreeCorners, ""},
+    {"recording, scene, camera path", "keys of a camera path", kMostCameraKeys, ""},
     {"recording, scene", "commands of things before tick 0", kMostPlaced, ""},
     {"recording, scene", "objects that stand in a world", sim::kMostThings, ""},
     {"recording, scene", "vertices that commands of things before tick 0 visit", sim::kAlwaysVisitsBefore,
@@ -79,11 +81,11 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"recording, scene", "the same in one tick", sim::kAlwaysVisits, ""},
     {"recording, scene", "the same on a larger grid, of its vertices", sim::kMostVisits, "times"},
     {"journal of an ensemble", "file", kMostJournalBytes, "bytes"},
-    {"scene, material", "file", kMostTomlBytes, "bytes"},
-    {"scene, material", "keys and table headers", kMostTomlKeys, ""},
-    {"scene, material", "dotted keys and table headers", kMostDottedKeys, ""},
-    {"scene, material", "parts of a dotted key", kMostKeyParts, ""},
-    {"scene, material", "lists and tables within each other", kMostTomlDepth, "levels"},
+    {"scene, material, camera path", "file", kMostTomlBytes, "bytes"},
+    {"scene, material, camera path", "keys and table headers", kMostTomlKeys, ""},
+    {"scene, material, camera path", "dotted keys and table headers", kMostDottedKeys, ""},
+    {"scene, material, camera path", "parts of a dotted key", kMostKeyParts, ""},
+    {"scene, material, camera path", "lists and tables within each other", kMostTomlDepth, "levels"},
     {"GeoJSON", "file", terrains::kMostGeoJsonBytes, "bytes"},
     {"GeoJSON", "values", terrains::kGeoJsonLimits.values, ""},
     {"GeoJSON", "members of an object", terrains::kGeoJsonLimits.members, ""},

@@ -30,6 +30,7 @@ void Outputs::add_to(FileUse& use, const OutputOptions& options) {
     if (options.web.file) use.reads(page_assets());
     use.writes("--web", options.web.file);
     use.writes("--video", options.film.file);
+    use.reads(options.film.path_file);
     add_outputs(options.results, use);
 }
 

@@ -126,6 +126,12 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.poster) use.reads(drawing_assets());
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     const std::int64_t last = options.until.value_or(recording->last_tick());
+    FilmOptions filmed = options.film;
+    if (filmed.file && filmed.view == FilmView::kPath) {
+        auto path = path_of_film(filmed, scenario);
+        if (!path) return tl::unexpected(path.error());
+        filmed.path = std::move(*path);
+    }
     std::optional<render::Camera> front;  // where the film is seen from
     if (options.film.file && options.film.view == FilmView::kFront) {
         auto found = front_camera(scenario, recording->commands, last, options.step_options);
@@ -152,8 +158,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     }
     std::optional<FilmedSession> film;
     if (options.film.file) {
-        auto opened =
-            FilmedSession::open(options.film, *session, last, front.value_or(camera), outputs->gallery());
+        auto opened = FilmedSession::open(filmed, *session, last, front.value_or(camera), outputs->gallery());
         if (!opened) return tl::unexpected(opened.error());
         film.emplace(std::move(*opened));
         if (!film->notice().empty()) print_line(stderr, "couloir: {}", film->notice());

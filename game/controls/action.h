@@ -148,6 +148,12 @@ struct FilmSlide {
 };
 struct StopFilm {};
 
+// Of the camera path that is made by hand: a key of the camera now, or one that there is; its preview; its file.
+struct EditPath {
+    enum class What : std::uint8_t { kAdd, kGoTo, kRemove, kPlay, kStop, kSave, kLoad } what = What::kAdd;
+    std::size_t key = 0;  // of kGoTo and kRemove
+};
+
 // The next drag on the terrain is the line of the cross-section, and no stroke; or no longer.
 struct DrawSection {
     bool waits;
@@ -159,10 +165,10 @@ struct CoverGround {
 };
 
 // A Tool is chosen.
-using Action =
-    std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt, SeeFromFront,
-                 GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend, CoverGround, BindKey,
-                 ResetKeys, SetPhoto, FilmSlide, StopFilm, RenameFile, ThrowAway, ShowFile, DrawSection>;
+using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
+                            SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend,
+                            CoverGround, BindKey, ResetKeys, SetPhoto, FilmSlide, StopFilm, EditPath,
+                            RenameFile, ThrowAway, ShowFile, DrawSection>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kRecordingEnding = ".couloir", *kPictureEnding = ".png";
+constexpr const char *kRecordingEnding = ".couloir", *kPictureEnding = ".png",
+                     *kCameraPathEnding = ".camera.toml";
 constexpr std::size_t kMostInName = 200;  // bytes; a file system has 255
 constexpr std::string_view kNever = "/\\<>:\"|?*";
 
@@ -92,6 +93,10 @@ fs::path picture_of(const fs::path& recording) {
     return fs::path(recording).replace_extension(kPictureEnding);
 }
 
+fs::path camera_path_of(const fs::path& recording) {
+    return fs::path(recording).replace_extension(kCameraPathEnding);
+}
+
 std::vector<ShelfFile> shelf(ShelfKind kind, std::size_t most) {
     std::vector<ShelfFile> files;
     const auto folder = shelf_folder(kind);
@@ -121,15 +126,19 @@ Outcome<fs::path> rename_on_shelf(const fs::path& file, const std::string& name)
                                : machine_fails(fmt::format("{}: cannot be renamed: {}", file.string(),
                                                            std::strerror(errno)));
     // Without a picture, or beside one that has that name already, it is one without.
-    if (file.extension() == kRecordingEnding) move_to(picture_of(file), picture_of(to));
+    if (file.extension() != kRecordingEnding) return to;
+    move_to(picture_of(file), picture_of(to));
+    move_to(camera_path_of(file), camera_path_of(to));
     return to;
 }
 
 Outcome<void> throw_away(const fs::path& file) {
     if (auto moved = move_to_trash(file); !moved) return moved;
+    if (file.extension() != kRecordingEnding) return {};
     std::error_code error;
-    if (file.extension() == kRecordingEnding) fs::remove(picture_of(file), error);
-    return {};
+    fs::remove(picture_of(file), error);
+    const fs::path camera_path = camera_path_of(file);
+    return fs::exists(camera_path, error) ? move_to_trash(camera_path) : Outcome<void>();
 }
 
 }  // namespace game

@@ -38,11 +38,14 @@ Outcome<std::filesystem::path> keep_on_shelf(ShelfKind kind, const std::string& 
 // The picture of a recording lies beside it.
 std::filesystem::path picture_of(const std::filesystem::path& recording);
 
-// Gives a file another name in its folder, and its picture with it; the ending stays. Returns its path. Errors: the name is
+// The camera path that a person has made for a recording, if it was saved, lies beside it too.
+std::filesystem::path camera_path_of(const std::filesystem::path& recording);
+
+// Gives a file another name in its folder, and its picture and camera path with it; the ending stays. Returns its path. Errors: the name is
 // none, or another file has it (2); the file cannot be renamed (3).
 Outcome<std::filesystem::path> rename_on_shelf(const std::filesystem::path& file, const std::string& name);
 
-// Moves a file and its picture into the trash. Errors: as move_to_trash().
+// Moves a file into the trash. Its picture is deleted, and its camera path is in the trash too. Errors: as move_to_trash().
 Outcome<void> throw_away(const std::filesystem::path& file);
 
 }  // namespace game

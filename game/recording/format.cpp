@@ -221,6 +221,11 @@ render::TreeRules trees_from(const Json& json, const sim::Grid& grid) {
     return trees;
 }
 
+void add_camera(const render::Camera& camera, Json& json) {
+    json["target"] = numbers({camera.target.x, camera.target.y, camera.target.z});
+    add_numbers(kCameraNumbers, camera, json);
+}
+
 Json view_json(const Scenario& scenario) {
     const render::Look& look = scenario.look;
     const auto colour = [](const glm::vec3& c) {
@@ -251,11 +256,31 @@ Json view_json(const Scenario& scenario) {
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
     if (scenario.flow) json["flow"] = flow_json(*scenario.flow, *look.flow);
     json["light"] = numbers_json(kLightNumbers, scenario.light);
-    if (const auto& camera = scenario.camera) {
-        json["camera"]["target"] = numbers({camera->target.x, camera->target.y, camera->target.z});
-        add_numbers(kCameraNumbers, *camera, json["camera"]);
+    if (scenario.camera) add_camera(*scenario.camera, json["camera"]);
+    for (const CameraKey& key : scenario.camera_path) {
+        Json row{{"time_s", key.time_s}};
+        add_camera(key.camera, row);
+        json["camera_path"].push_back(std::move(row));
     }
     return json;
+}
+
+render::Camera camera_from(const Json& json) {
+    render::Camera camera;
+    camera.target = triple(json, "target", -kFarthestTarget, kFarthestTarget);
+    numbers_from(json, kCameraNumbers, camera);
+    return camera;
+}
+
+void camera_path_from(const Json& json, std::vector<CameraKey>& path) {
+    for (const Json& row : list(json, "camera_path", kMostCameraKeys)) {
+        const double time = number(row, "time_s", 0, CameraKey::kLatest);
+        if (!path.empty() && time <= path.back().time_s)
+            refuse(fmt::format("camera_path: {} s is not later than {} s", time, path.back().time_s));
+        path.push_back({time, camera_from(row)});
+    }
+    if (!path.empty() && path.size() < kFewestCameraKeys)
+        refuse(fmt::format("camera_path has fewer than {} keys", kFewestCameraKeys));
 }
 
 void view_from(const Json& json, Scenario& scenario) {
@@ -291,10 +316,8 @@ void view_from(const Json& json, Scenario& scenario) {
     if (json.contains("wind")) numbers_from(member(json, "wind"), kWindNumbers, scenario.wind);
     if (json.contains("flow")) flow_from(member(json, "flow"), scenario);
     numbers_from(member(json, "light"), kLightNumbers, scenario.light);
-    if (!json.contains("camera")) return;
-    const Json& camera = member(json, "camera");
-    scenario.camera.emplace().target = triple(camera, "target", -1e9, 1e9);
-    numbers_from(camera, kCameraNumbers, *scenario.camera);
+    if (json.contains("camera")) scenario.camera = camera_from(member(json, "camera"));
+    camera_path_from(json, scenario.camera_path);
 }
 
 // Returns the minor version.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/base/outcome.h"
+#include "game/scene/camera_key.h"
 #include "game/scene/goal.h"
 #include "game/scene/timed_command.h"
 #include "render/buildings/structures.h"
@@ -76,6 +77,7 @@ struct Scenario {
     render::Look look;
     render::Light light;
     std::optional<render::Camera> camera;  // none: the overview
+    std::vector<CameraKey> camera_path;    // of a film; none, or 2 and more by time
     bool model = false;                    // drawn as a block cut from its mountains
     render::TreeRules trees;               // for the eye alone, unless woods_act()
     render::Wind wind;                     // for the eye alone

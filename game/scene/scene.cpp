@@ -10,6 +10,7 @@
 #include "files/input.h"
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
+#include "game/scene/camera_keys.h"
 #include "game/scene/flow_scene.h"
 #include "game/scene/goal_reach.h"
 #include "game/scene/material.h"
@@ -174,7 +175,7 @@ void read_wind(TomlTable& table, render::Wind& wind) {
     table.finish();
 }
 
-// Reads [look], [camera] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
+// Reads [look], [camera], [[camera_path]] and [light]. Returns the moment whose sun lights the scene, if [light] gives one.
 std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
     if (auto table = root.table("look")) {
         if (const auto style = table->text("style")) {
@@ -185,14 +186,10 @@ std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
         table->finish();
     }
     if (auto table = root.table("camera")) {
-        render::Camera camera;
-        const auto target = table->numbers("target", 3);
-        if (target) camera.target = {(*target)[0], (*target)[1], (*target)[2]};
-        if (!target) table->blame("", "needs a target: metres east, north and up");
-        table->numbers(kCameraNumbers, camera);
+        scenario.camera = read_camera(*table);
         table->finish();
-        scenario.camera = camera;
     }
+    scenario.camera_path = read_camera_path(root);
     if (auto table = root.table("light")) return read_light(*table, scenario.light);
     return std::nullopt;
 }

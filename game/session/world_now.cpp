@@ -156,6 +156,7 @@ Outcome<Scenario> scenario_of_now(const Scenario& initial, const sim::State& sta
     if (initial.flow) return unusable("a flow demo has no world to save");
     Scenario now = initial;
     now.goal.reset();
+    now.camera_path.clear();  // its times are those of the world before
     take_numbers(state.params, now.params);
     now.depth = values_of(state.depth);
     now.rolling = values_of(state.rolling);

@@ -149,6 +149,13 @@ struct HouseMark {
     glm::dvec2 at{0};       // px from the top left
 };
 
+// The camera path that is made by hand.
+struct PathNote {
+    std::span<const CameraKey> keys;  // by time
+    bool plays = false;               // its preview
+    double now_s = 0;                 // of the world
+};
+
 // How a photo will be taken.
 struct PhotoNote {
     PhotoSettings settings;
@@ -221,6 +228,7 @@ struct Facts {
     ImageSize image = {};                            // of the world, as last drawn
     std::optional<double> sharing = {};              // 0 to 1, how much of the page of a shared slide is done
     std::optional<double> filming = {};              // 0 to 1, how much of a film is done
+    PathNote path = {};                              // the camera path
     std::optional<PhotoNote> photo = {};             // in the photo mode, in which nothing else is shown
     bool making_challenge = false;                   // of the slide, in the background
     bool may_try = false;                  // a recording of a challenge was opened, which can be tried

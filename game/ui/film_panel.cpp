@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
+#include "game/base/limits.h"
+#include "game/controls/path_maker.h"
 #include "game/ui/panels.h"
 
 namespace game::ui {
@@ -15,6 +19,7 @@ constexpr std::array kViews{
     ViewName{FilmView::kChase, "follows the front"},
     ViewName{FilmView::kFront, "from where it comes to rest"},
     ViewName{FilmView::kTop, "from above"},
+    ViewName{FilmView::kPath, "along the camera path"},
 };
 struct SizeName {
     int width, height;
@@ -63,9 +68,7 @@ void choices(Desk& desk) {
         wish.silent = !sound;
 }
 
-}  // namespace
-
-void film_panel(Desk& desk, const Facts& facts, Actions& actions) {
+void film(Desk& desk, const Facts& facts, Actions& actions) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::BeginDisabled(facts.filming.has_value());
     choices(desk);
@@ -91,6 +94,60 @@ void film_panel(Desk& desk, const Facts& facts, Actions& actions) {
         actions.emplace_back(FilmSlide{desk.film});
     ImGui::EndDisabled();
     desk.widgets.dim("The program ffmpeg writes it; the film comes into couloir/films of your data folder.");
+}
+
+// Two in a row.
+void key_rows(Desk& desk, const PathNote& path, Actions& actions) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x, close = ImGui::GetFrameHeight();
+    const float width = (ImGui::GetContentRegionAvail().x - gap) / 2 - close - gap / 2;
+    for (std::size_t k = 0; k < path.keys.size(); ++k) {
+        const double time = path.keys[k].time_s;
+        std::array<char, 48> go, remove;
+        std::snprintf(go.data(), go.size(), "%.1f s", time);
+        std::snprintf(remove.data(), remove.size(), "##Remove key %zu", k + 1);
+        if (k % 2 == 1) ImGui::SameLine();
+        ImGui::PushID(static_cast<int>(k));
+        if (desk.widgets.button(go.data(), "Goes to this key: its time and its camera.",
+                                std::abs(time - path.now_s) < PathMaker::kSameTime, width))
+            actions.emplace_back(EditPath{EditPath::What::kGoTo, k});
+        ImGui::SameLine(0, gap / 2);
+        if (desk.widgets.icon_button(remove.data(), Icon::kClose, "Removes this key."))
+            actions.emplace_back(EditPath{EditPath::What::kRemove, k});
+        ImGui::PopID();
+    }
+}
+
+void camera_path(Desk& desk, const PathNote& path, Actions& actions) {
+    desk.widgets.heading("Camera path");
+    if (path.keys.size() < kFewestCameraKeys)
+        desk.widgets.dim("Go to a time, turn the view, add a key. A path has two keys or more.");
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const auto ask = [&](const char* label, const char* tooltip, EditPath::What what, bool may, bool on) {
+        ImGui::BeginDisabled(!may);
+        if (desk.widgets.button(label, tooltip, on, half)) actions.emplace_back(EditPath{what});
+        ImGui::EndDisabled();
+    };
+    ask("Add key", "Keeps this camera for this time, or replaces the key that is there.",
+        EditPath::What::kAdd, true, false);
+    ImGui::SameLine();
+    if (path.plays)
+        ask("Stop the preview", "The camera stays where it is.", EditPath::What::kStop, true, true);
+    else
+        ask("Play the path", "The camera moves from key to key while time runs.", EditPath::What::kPlay,
+            path.keys.size() >= kFewestCameraKeys, false);
+    ask("Save path", "Writes these keys to a file beside the recording.", EditPath::What::kSave,
+        path.keys.size() >= kFewestCameraKeys, false);
+    ImGui::SameLine();
+    ask("Load path", "Reads the keys that were saved beside the recording.", EditPath::What::kLoad, true,
+        false);
+    key_rows(desk, path, actions);
+}
+
+}  // namespace
+
+void film_panel(Desk& desk, const Facts& facts, Actions& actions) {
+    film(desk, facts, actions);
+    camera_path(desk, facts.path, actions);
 }
 
 }  // namespace game::ui

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,6 +17,7 @@
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
 #include "game/recording/recording_file.h"
+#include "game/scene/camera_keys.h"
 #include "game/session/verifier.h"
 #include "game/ui/scene_pictures.h"
 #include "render/pictures/picture.h"
@@ -983,6 +985,66 @@ TEST_F(Playing, goes_back_and_forth_and_takes_over_its_own_past) {
     stroke(10);
     expect_recording_replays();
     EXPECT_EQ(read_recording(first).value().last_tick(), present.tick) << "the abandoned part is kept";
+}
+
+TEST_F(Playing, makes_a_camera_path_that_is_played_saved_and_loaded_and_touches_nothing) {
+    begin("landslide.couloir", 0);
+    tap(Key::kSpace);
+    const auto widen = [this] {
+        screen_.resize_to(1000, 700);
+        frames(2);
+    };
+    widen();
+    tap(function_key(6));
+    frames(2);
+    click("Add key");
+    tap(Key::kSpace);
+    pass(60);
+    tap(Key::kSpace);
+    screen_.move(650, 400);
+    screen_.happen({WheelEvent{5, {}}});
+    pass(60);
+    click("Add key");
+    const std::vector<CameraKey> keys = app_->path().keys();
+    ASSERT_EQ(keys.size(), 2u);
+    EXPECT_LT(keys[1].camera.distance_m, 0.8 * keys[0].camera.distance_m);
+    click("Save path");
+    const auto file = folder_.path() / "couloir/recordings/landslide.camera.toml";
+    EXPECT_NE(last_notice().find(file.string()), std::string::npos) << last_notice();
+    EXPECT_EQ(load_camera_path(file).value(), keys);
+    click("##Remove key 1");
+    ASSERT_EQ(app_->path().keys().size(), 1u);
+    click("Load path");
+    ASSERT_EQ(app_->path().keys(), keys);
+
+    click("Play the path");
+    ASSERT_TRUE(app_->path().plays());
+    screen_.resize_to(160, 90);
+    bool was_between = false;
+    wait_until([&] {
+        frames(1);
+        const double away = app_->camera().distance_m;
+        was_between |= away > 1.05 * keys[1].camera.distance_m && away < 0.95 * keys[0].camera.distance_m;
+        return !app_->path().plays();
+    });
+    EXPECT_TRUE(was_between);
+    EXPECT_NEAR(app_->camera().distance_m, keys[1].camera.distance_m, 1);
+    EXPECT_NEAR(app_->sandbox().session().seconds(), keys[1].time_s, 0.1);
+
+    tap(Key::kSpace);
+    widen();
+    click("Play the path");
+    screen_.move(650, 400);
+    screen_.happen({WheelEvent{1, {}}});
+    frames(2);
+    EXPECT_FALSE(app_->path().plays()) << "who moves the camera ends it";
+    click(fmt::format("{:.1f} s", keys[0].time_s).c_str());
+    frames(4);
+    EXPECT_NEAR(app_->sandbox().session().seconds(), keys[0].time_s, 0.02);
+    EXPECT_NEAR(app_->camera().distance_m, keys[0].camera.distance_m, 1);
+    EXPECT_TRUE(app_->clock().paused());
+    EXPECT_TRUE(app_->sandbox().watches());
+    EXPECT_FALSE(app_->sandbox().verdict()->parted);
 }
 
 TEST_F(Playing, jumps_to_marks_and_skips_to_the_end_of_a_slide) {

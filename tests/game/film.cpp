@@ -16,6 +16,7 @@
 #include "game/controls/film_camera.h"
 #include "game/files/assets.h"
 #include "game/files/film.h"
+#include "game/scene/camera_keys.h"
 #include "game/scene/mountains.h"
 #include "game/scene/scene.h"
 #include "game/session/session.h"
@@ -271,7 +272,8 @@ TEST(FilmCamera, stands_or_follows_the_front) {
         std::vector<sim::Command> due;
         for (const TimedCommand& each : commands_at(scene.commands, tick)) due.push_back(each.command);
         ASSERT_TRUE(session.advance(due));
-        for (FilmCamera* each : {&stands, &follows}) each->move(session.view(), none, 16. / 9, 1. / 60);
+        for (FilmCamera* each : {&stands, &follows})
+            each->move(session.view(), none, 16. / 9, {1. / 60, session.seconds()});
     }
     EXPECT_EQ(stands.camera().target, home.target);
     EXPECT_LT(follows.camera().distance_m, home.distance_m);
@@ -295,11 +297,20 @@ TEST(FilmOfReplay, has_the_images_of_its_time_and_refuses_what_it_cannot_film) {
     counts >> bytes;
     EXPECT_EQ(bytes, 10u * 32 * 18 * 3);
     EXPECT_EQ(files_in(fake.films()), 1u);
+    const std::string keys = (fake.programs() / "keys.toml").string();
+    write_bytes(keys, camera_path_text(std::vector<CameraKey>{{0, {}}, {0.3, {.azimuth_deg = 20}}}));
+    const Finished along = replay({"--video", file, "--camera-path", keys, "--silent"});
+    EXPECT_EQ(along.status, 0) << along.err;
     for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--video", file + ".avi"},
                                                   {"--video", file, "--fps", "0"},
                                                   {"--video", file, "--size", "33x18"},
                                                   {"--fps", "30"},
                                                   {"--camera", "chase"},
+                                                  {"--camera-path", keys},
+                                                  {"--video", file, "--camera", "path"},
+                                                  {"--video", file, "--camera-path", file},
+                                                  {"--video", file, "--camera", "top", "--camera-path", keys},
+                                                  {"--video", keys + ".mp4", "--camera-path", keys + ".mp4"},
                                                   {"--silent"},
                                                   {"--video", file, "--until", "0"},
                                                   {"--video", file, "--audio", file}}) {

@@ -54,6 +54,22 @@ class ForgedHeader : public testing::Test {
     Json header_;
 };
 
+TEST_F(ForgedHeader, with_a_camera_path_out_of_order_or_of_another_length_is_refused) {
+    const auto row = [](double time) {
+        return Json{{"time_s", time},      {"target", {0, 0, 0}}, {"azimuth_deg", 0},
+                    {"elevation_deg", 10}, {"distance_m", 1},     {"field_of_view_deg", 30}};
+    };
+    Json& path = header_["view"]["camera_path"];
+    path = {row(1), row(2)};
+    EXPECT_EQ(read(header_)->header.scenario.camera_path.size(), 2u);
+    for (const Json& wrong :
+         {Json{row(2), row(1)}, Json{row(1), row(1)}, Json{row(1)}, Json{row(-1), row(1)}, Json{row(1), 3},
+          Json{row(1), Json::object()}, Json("path"), Json(std::vector<Json>(65, row(1)))}) {
+        path = wrong;
+        refused(header_);
+    }
+}
+
 TEST_F(ForgedHeader, is_accepted_unchanged) {
     const auto recording = read(header_);
     ASSERT_TRUE(recording) << recording.error().sentence;

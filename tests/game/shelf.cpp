@@ -79,12 +79,14 @@ TEST_F(Shelf, tells_how_long_a_recording_is_from_its_ends) {
 TEST_F(Shelf, renames_a_recording_and_its_picture_and_loses_nothing) {
     const fs::path file = put("a.couloir", "a recording");
     put("a.png", "a picture");
+    put("a.camera.toml", "a path");
     const auto renamed = rename_on_shelf(file, " The big one, 2 m – größer ");
     ASSERT_TRUE(renamed) << renamed.error().sentence;
     EXPECT_EQ(*renamed, recordings() / "The big one, 2 m – größer.couloir");
     EXPECT_EQ(read_text(*renamed).value(), "a recording");
     EXPECT_EQ(read_text(picture_of(*renamed)).value(), "a picture");
-    EXPECT_FALSE(fs::exists(file) || fs::exists(picture_of(file)));
+    EXPECT_EQ(read_text(camera_path_of(*renamed)).value(), "a path");
+    EXPECT_FALSE(fs::exists(file) || fs::exists(picture_of(file)) || fs::exists(camera_path_of(file)));
 
     const fs::path other = put("b.couloir", "another");
     const auto taken = rename_on_shelf(other, "The big one, 2 m – größer");

@@ -58,6 +58,7 @@ ui::Facts UiHand::facts() const {
             .now_s = screen_.seconds(),
             .sharing = sharing_,
             .filming = filming_,
+            .path = path_,
             .photo = photo_};
 }
 

@@ -55,6 +55,7 @@ class UiHand : public testing::Test {
     ui::Timeline timeline_;
     std::string recording_ = "/tmp/valley.couloir";
     std::optional<double> sharing_, filming_;
+    ui::PathNote path_;
     std::optional<ui::SectionNote> section_;
     std::optional<ui::PhotoNote> photo_;
     const SlideHistory* history_ = nullptr;

@@ -50,6 +50,12 @@ class UiLanguages : public UiHand {
             under_cursor_.reset();
         }
         speak_plainly(false);
+        const std::vector<CameraKey> keys{{1, {}}, {20, {}}};
+        path_ = {keys, true, 1};
+        ui_->perform(Verb::kToggleFilm);
+        look("camera path");
+        ui_->perform(Verb::kToggleFilm);
+        path_ = {};
         photo_ = ui::PhotoNote{{}, focal_lengths(16.0 / 9), 14.5, {}};
         look("photo mode");
         photo_->is_taken = true;

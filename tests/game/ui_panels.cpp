@@ -21,7 +21,10 @@ const std::vector<PanelFacts> kPanels{
      "Display",
      {"Close Display", "Colour by", "Contours", "Direction", "Text size", "Fly"}},
     {Verb::kTogglePerformance, "Performance", {"Close Performance", "Chart", "solve", "Worst tick"}},
-    {Verb::kToggleFilm, "Film", {"Close Film", "Film camera", "Film size", "With sound", "Film it"}},
+    {Verb::kToggleFilm,
+     "Film",
+     {"Close Film", "Film camera", "Film size", "With sound", "Film it", "Add key", "Play the path",
+      "Load path"}},
     {Verb::kToggleMeasure, "Measure", {"Close Measure", "Along a line", "Over time", "Draw a line"}},
     {Verb::kToggleHelp, "Help", {"Close Help", "step one tick"}},
 };
@@ -334,6 +337,35 @@ TEST_F(UiPanels, ask_for_a_film_as_it_was_chosen_and_stop_it) {
     settle();
     EXPECT_FALSE(ui_->find("Film it"));
     only<StopFilm>(click("Stop filming"));
+}
+
+TEST_F(UiPanels, make_a_camera_path_of_keys) {
+    using What = EditPath::What;
+    ui_->perform(Verb::kToggleFilm);
+    settle();
+    EXPECT_EQ(only<EditPath>(click("Add key")).what, What::kAdd);
+    EXPECT_TRUE(click("Play the path").empty()) << "no key, no path";
+    EXPECT_TRUE(click("Save path").empty());
+    EXPECT_EQ(only<EditPath>(click("Load path")).what, What::kLoad);
+    std::vector<CameraKey> keys;
+    for (int i = 0; i < 12; ++i) keys.push_back({1.5 * i, {}});
+    path_.keys = keys;
+    settle();
+    const EditPath go = only<EditPath>(click("3.0 s")), gone = only<EditPath>(click("##Remove key 2"));
+    EXPECT_EQ(go.what, What::kGoTo);
+    EXPECT_EQ(go.key, 2u);
+    EXPECT_EQ(gone.what, What::kRemove);
+    EXPECT_EQ(gone.key, 1u);
+    EXPECT_TRUE(ui_->find("16.5 s"));
+    EXPECT_EQ(only<EditPath>(click("Save path")).what, What::kSave);
+    EXPECT_EQ(only<EditPath>(click("Play the path")).what, What::kPlay);
+    path_.plays = true;
+    settle();
+    EXPECT_FALSE(ui_->find("Play the path"));
+    EXPECT_EQ(only<EditPath>(click("Stop the preview")).what, What::kStop);
+    EXPECT_TRUE(click("Film camera").empty());
+    EXPECT_TRUE(click("along the camera path").empty());
+    EXPECT_EQ(only<FilmSlide>(click("Film it")).wish.view, FilmView::kPath);
 }
 
 TEST_F(UiPanels, choose_whether_the_folder_of_a_shared_slide_is_opened) {
