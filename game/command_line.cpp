@@ -398,6 +398,30 @@ CLI::Option* add_thickness(CLI::App& app, std::optional<terrains::Thickness>& th
         ->type_name("DIRECTION");
 }
 
+// A page and a film, and from where both are seen.
+void add_page_and_film(CLI::App& app, OutputOptions& outputs, std::optional<Viewpoint>& view) {
+    FilmOptions& options = outputs.film;
+    add_web(app, outputs.web, view, &options.view);
+    auto* video = app.add_option("--video", options.file,
+                                 "write a film of the slide with its sound, through the program ffmpeg: .mp4 "
+                                 "(H.264), .webm (VP9) or .mkv (AV1), in the size of --size, which is even")
+                      ->type_name("FILE.mp4");
+    add_number(app, "--fps", "N", options.fps, kFps, "show so many images per second in the film", "60")
+        ->needs(video);
+    app.add_option_function<std::string>(
+           "--camera-path",
+           [&options](const std::string& file) {
+               options.path_file = file;
+               options.view = FilmView::kPath;
+           },
+           "move the camera of the film along the keys of this file, as the Film panel saves it "
+           "(docs/film.md)")
+        ->type_name("FILE.toml")
+        ->needs(video)
+        ->excludes("--camera");
+    app.add_flag("--silent", options.silent, "make the film without sound");
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
     app.add_option("scene", options.scene, "name from `couloir list`, or a scene file")->type_name("SCENE");
     auto* terrain =
@@ -456,31 +480,10 @@ void add_run(CLI::App& app, RunOptions& options) {
         ->needs(format);
     add_pictures(app, options.pictures, "write images here, and maps of the extent and the final state",
                  fmt::format("{}", kTicksPerPicture));
-    add_web(app, options.web, options.view);
+    add_page_and_film(app, options, options.view);
     add_results(app, options.results);
     add_memory(app, options.overrides.memory);
     add_step_options(app, options.step_options);
-}
-
-void add_film(CLI::App& app, FilmOptions& options) {
-    auto* video = app.add_option("--video", options.file,
-                                 "write a film of the slide with its sound, through the program ffmpeg: .mp4 "
-                                 "(H.264), .webm (VP9) or .mkv (AV1), in the size of --size, which is even")
-                      ->type_name("FILE.mp4");
-    add_number(app, "--fps", "N", options.fps, kFps, "show so many images per second in the film", "60")
-        ->needs(video);
-    app.add_option_function<std::string>(
-           "--camera-path",
-           [&options](const std::string& file) {
-               options.path_file = file;
-               options.view = FilmView::kPath;
-           },
-           "move the camera of the film along the keys of this file, as the Film panel saves it "
-           "(docs/film.md)")
-        ->type_name("FILE.toml")
-        ->needs(video)
-        ->excludes("--camera");
-    app.add_flag("--silent", options.silent, "make the film without sound");
 }
 
 void add_replay(CLI::App& app, ReplayOptions& options) {
@@ -505,8 +508,7 @@ void add_replay(CLI::App& app, ReplayOptions& options) {
                  "compute every tick twice, with different threads and tiles, and compare; if they differ, "
                  "exit with status 1, report where, and with --frames write desync.png");
     add_pictures(app, options.pictures, "write images here", fmt::format("{}", kTicksPerPicture));
-    add_web(app, options.web, options.view, &options.film.view);
-    add_film(app, options.film);
+    add_page_and_film(app, options, options.view);
     app.add_option(
            "--audio", options.audio,
            "write what is heard at the camera to this file: as long as the replay, two channels, 16 bits")
@@ -888,6 +890,12 @@ Outcome<void> check(TrackOptions& options) {
 }
 
 // Checks the options of `run` against each other and sets the defaults that depend on others.
+Outcome<void> check_film(const OutputOptions& options) {
+    if (!options.film.file && (options.film.view != FilmView::kScene || options.film.silent))
+        return unusable("--silent, and a name for --camera, are of a film: add --video FILE.mp4");
+    return {};
+}
+
 Outcome<void> check(RunOptions& options) {
     if (!options.scene.empty() && options.terrain)
         return unusable("run accepts a scene or --terrain DEM, not both");
@@ -920,13 +928,11 @@ Outcome<void> check(RunOptions& options) {
         return unusable(fmt::format(
             "--export-name: '{}' is not two parts of letters and digits, separated by one underscore",
             *options.export_name));
-    return {};
+    return check_film(options);
 }
 
 Outcome<void> check(const ReplayOptions& options) {
-    if (!options.film.file && (options.film.view != FilmView::kScene || options.film.silent))
-        return unusable("--silent, and a name for --camera, are of a film: add --video FILE.mp4");
-    return {};
+    return check_film(options);
 }
 
 Outcome<void> check(const EnsembleOptions& options) {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "files/destination.h"
-#include "game/analysis/headless.h"
 #include "game/analysis/measures.h"
 #include "game/controls/front_view.h"
 #include "game/scene/camera_keys.h"
@@ -38,21 +37,20 @@ Outcome<std::vector<CameraKey>> path_of_film(const FilmOptions& options, const S
 }
 
 Outcome<render::Camera> front_camera(const Scenario& scenario, std::span<const TimedCommand> commands,
-                                     std::int64_t last_tick, const sim::StepOptions& options) {
+                                     const Until& until, const sim::StepOptions& options) {
     auto session = Session::begin(scenario, options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
-    if (auto played = play_headless(*session, commands, Until::after(last_tick), {}, "finding the run-out");
-        !played)
+    if (auto played = play_headless(*session, commands, until, {}, "finding the run-out"); !played)
         return tl::unexpected(played.error());
     const Measures measures = measure(scenario, *session, release_area(scenario, commands), {});
     if (measures.run_out <= 0)
-        return unusable("--camera front: nothing flows until then; use another camera, or a later --until");
+        return unusable("--camera front: nothing flows until then; use another camera, or a later end");
     return view_from_front(session->view(), {measures.top.x, measures.top.y},
                            {measures.toe.x, measures.toe.y});
 }
 
 FilmedSession::FilmedSession(const FilmOptions& options, Film film, const Session& session,
-                             std::int64_t ticks, const render::Camera& home, Gallery& gallery)
+                             std::optional<std::int64_t> ticks, const render::Camera& home, Gallery& gallery)
     : gallery_(&gallery),
       film_(std::move(film)),
       camera_(options.view, home, session.view(), gallery.surroundings(), options.path, session.seconds()),
@@ -62,9 +60,10 @@ FilmedSession::FilmedSession(const FilmOptions& options, Film film, const Sessio
       ticks_(ticks) {}
 
 Outcome<FilmedSession> FilmedSession::open(const FilmOptions& options, const Session& session,
-                                           std::int64_t ticks, const render::Camera& home, Gallery& gallery) {
+                                           std::optional<std::int64_t> ticks, const render::Camera& home,
+                                           Gallery& gallery) {
     const std::filesystem::path& path = *options.file;
-    if (ticks < 1)
+    if (ticks && *ticks < 1)
         return unusable(fmt::format("{}: no time passes, so there is nothing to film", path.string()));
     auto film = Film::open(path, {gallery.size().width, gallery.size().height, options.fps});
     if (!film) return tl::unexpected(film.error());

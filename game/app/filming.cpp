@@ -55,7 +55,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     scenario.light = subject.light;
     render::Camera camera = subject.camera;
     if (wish.view == FilmView::kFront) {
-        const auto front = front_camera(scenario, recording->commands, subject.last, {});
+        const auto front = front_camera(scenario, recording->commands, Until::after(subject.last), {});
         if (!front) return tl::unexpected(front.error());
         camera = *front;
     }

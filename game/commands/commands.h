@@ -50,7 +50,7 @@ inline PageOptions page_options(const WebOptions& web, const PictureOptions& pic
 struct OutputOptions {
     PictureOptions pictures;
     WebOptions web;
-    FilmOptions film;  // of `replay` alone
+    FilmOptions film;
     ResultOptions results;
 };
 

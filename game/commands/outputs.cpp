@@ -5,7 +5,9 @@
 #include "game/analysis/export_results.h"
 #include "game/base/print.h"
 #include "game/files/assets.h"
+#include "game/files/film.h"
 #include "game/files/text_file.h"
+#include "render/mountain/overview.h"
 
 namespace game {
 namespace {
@@ -58,6 +60,36 @@ Outcome<void> Outputs::open(const Scenario& scenario) {
     return {};
 }
 
+Outcome<void> Outputs::check(const OutputOptions& options) {
+    const PictureSize& size = options.pictures.size;
+    if (!options.film.file) return {};
+    return Film::check(*options.film.file, {size.width, size.height, options.film.fps});
+}
+
+Outcome<void> Outputs::open_film(const Scenario& scenario, const Session& session,
+                                 std::span<const TimedCommand> commands, const Until& until,
+                                 const sim::StepOptions& step) {
+    if (!options_->film.file) return {};
+    FilmOptions options = options_->film;
+    render::Camera camera = scenario.camera.value_or(render::overview(session.view()));
+    if (options.view == FilmView::kPath) {
+        auto path = path_of_film(options, scenario);
+        if (!path) return tl::unexpected(path.error());
+        options.path = std::move(*path);
+    }
+    if (options.view == FilmView::kFront) {
+        const auto front = front_camera(scenario, commands, until, step);
+        if (!front) return tl::unexpected(front.error());
+        camera = *front;
+    }
+    auto film = FilmedSession::open(options, session, until.tick, camera, *gallery_);
+    if (!film) return tl::unexpected(film.error());
+    film_.emplace(std::move(*film));
+    filmed_ = commands;
+    if (!film_->notice().empty()) print_line(stderr, "couloir: {}", film_->notice());
+    return {};
+}
+
 Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurroundings surroundings) {
     if (shows_fronts(*options_)) {
         session.follow_fronts(scenario);
@@ -70,7 +102,12 @@ Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurround
     watchers.gallery = options_->pictures.folder ? &*gallery_ : nullptr;
     watchers.ticks_per_picture = options_->pictures.every.value_or(kTicksPerPicture);
     watchers.perf = &*perf_;
-    if (page_) watchers.keep = [this](const Session& now) { return page_->see(now); };
+    if (page_ || film_)
+        watchers.keep = [this](const Session& now) -> Outcome<void> {
+            if (page_)
+                if (auto kept = page_->see(now); !kept) return kept;
+            return film_ ? film_->see(now, commands_of_tick(filmed_, now.state().tick - 1)) : Outcome<void>();
+        };
     return watchers;
 }
 
@@ -79,6 +116,8 @@ void Outputs::draw_results(const Session& session) {
 }
 
 Outcome<void> Outputs::close(const Session& session, std::span<const TimedCommand> commands) {
+    if (film_)
+        if (auto closed = film_->close(); !closed) return closed;
     if (gallery_)
         if (auto closed = gallery_->close(); !closed) return closed;
     if (page_)

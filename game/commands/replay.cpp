@@ -85,11 +85,7 @@ std::optional<std::string> fault_of_claim(const std::optional<ClaimLine>& claim,
 Outcome<int> replay(const ReplayOptions& options) {
     const auto path = find_asset(AssetKind::kRecording, options.recording);
     if (!path) return tl::unexpected(path.error());
-    if (options.film.file)
-        if (auto fits = Film::check(*options.film.file, {options.pictures.size.width,
-                                                         options.pictures.size.height, options.film.fps});
-            !fits)
-            return tl::unexpected(fits.error());
+    if (auto fits = Outputs::check(options); !fits) return tl::unexpected(fits.error());
     Memory memory = options.memory;
     memory.use.runs = options.paranoid ? 2 : 0;
     Outputs::add_to(memory.use, options);
@@ -126,18 +122,6 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.poster) use.reads(drawing_assets());
     if (auto sound = use.check(); !sound) return tl::unexpected(sound.error());
     const std::int64_t last = options.until.value_or(recording->last_tick());
-    FilmOptions filmed = options.film;
-    if (filmed.file && filmed.view == FilmView::kPath) {
-        auto path = path_of_film(filmed, scenario);
-        if (!path) return tl::unexpected(path.error());
-        filmed.path = std::move(*path);
-    }
-    std::optional<render::Camera> front;  // where the film is seen from
-    if (options.film.file && options.film.view == FilmView::kFront) {
-        auto found = front_camera(scenario, recording->commands, last, options.step_options);
-        if (!found) return tl::unexpected(found.error());
-        front = *found;
-    }
     auto session = Session::begin(scenario, options.step_options, std::nullopt);
     if (!session) return tl::unexpected(session.error());
     auto outputs = Outputs::begin(options, scenario, *session, proof_of(options.recording));
@@ -156,17 +140,14 @@ Outcome<int> replay(const ReplayOptions& options) {
         if (!opened) return tl::unexpected(opened.error());
         audio.emplace(std::move(*opened));
     }
-    std::optional<FilmedSession> film;
-    if (options.film.file) {
-        auto opened = FilmedSession::open(filmed, *session, last, front.value_or(camera), outputs->gallery());
-        if (!opened) return tl::unexpected(opened.error());
-        film.emplace(std::move(*opened));
-        if (!film->notice().empty()) print_line(stderr, "couloir: {}", film->notice());
-    }
+    const auto until = Until::after(last);
+    if (auto opened =
+            outputs->open_film(scenario, *session, recording->commands, until, options.step_options);
+        !opened)
+        return tl::unexpected(opened.error());
     Verifier verifier(*recording);
     Referee referee(scenario, recording->commands);
 
-    const auto until = Until::after(last);
     Watchers watchers = outputs->watch(scenario, *session,
                                        {scenario.scene, file_hash(*path), options.step_options.threads, {}});
     if (options.verify) verifier.look_at(*session);
@@ -188,21 +169,16 @@ Outcome<int> replay(const ReplayOptions& options) {
         self_check.parted = lockstep->follow(now.state());
         self_check.ticks = now.state().tick;
     };
-    if (audio || film)
-        watchers.keep = [&, page = watchers.keep](const Session& now) -> Outcome<void> {
-            if (page)
-                if (auto kept = page(now); !kept) return kept;
-            const auto due = commands_of_tick(recording->commands, now.state().tick - 1);
-            if (audio)
-                if (auto heard = audio->see(now, due); !heard) return heard;
-            return film ? film->see(now, due) : Outcome<void>();
+    if (audio)
+        watchers.keep = [&, others = watchers.keep](const Session& now) -> Outcome<void> {
+            if (others)
+                if (auto kept = others(now); !kept) return kept;
+            return audio->see(now, commands_of_tick(recording->commands, now.state().tick - 1));
         };
     if (auto played =
-            play_headless(*session, recording->commands, until, watchers, film ? "filming" : "replaying");
+            play_headless(*session, recording->commands, until, watchers, outputs->doing("replaying"));
         !played)
         return tl::unexpected(played.error());
-    if (film)
-        if (auto closed = film->close(); !closed) return tl::unexpected(closed.error());
     if (audio)
         if (auto closed = audio->close(); !closed) return tl::unexpected(closed.error());
     if (auto closed = outputs->close(*session, recording->commands); !closed)

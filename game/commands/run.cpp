@@ -46,8 +46,7 @@ FileUse files_of(const RunOptions& options, const Scene& scene, const terrains::
     return use;
 }
 
-// Opens the outputs once all that can be refused has been: the recording last, because the others may fail, and a
-// recording of that name is worth more than the beginning of one.
+// Opens the outputs once all that can be refused has been.
 Outcome<Outputs> open_outputs(const RunOptions& options, const Scenario& scenario, Session& session) {
     auto outputs =
         Outputs::begin(options, scenario, session, options.record ? proof_of(*options.record) : "");
@@ -57,12 +56,14 @@ Outcome<Outputs> open_outputs(const RunOptions& options, const Scenario& scenari
     if (options.save_world)
         if (auto placed = make_place_for(*options.save_world); !placed) return tl::unexpected(placed.error());
     if (auto opened = outputs->open(scenario); !opened) return tl::unexpected(opened.error());
-    if (!options.record) return outputs;
+    return outputs;
+}
+
+Outcome<void> begin_recording(const RunOptions& options, const Scenario& scenario, Session& session) {
+    if (!options.record) return {};
     auto recorder = record_into(*options.record, scenario);
     if (!recorder) return tl::unexpected(recorder.error());
-    if (auto begun = session.record_from_start(std::move(*recorder)); !begun)
-        return tl::unexpected(begun.error());
-    return outputs;
+    return session.record_from_start(std::move(*recorder));
 }
 
 Until until_of(const RunOptions& options, const sim::Params& params) {
@@ -102,8 +103,8 @@ Outcome<int> play_and_write(const RunOptions& options, const Scene& scene,
         outputs.watch(scenario, session, {scenario.scene, "", options.step_options.threads, {}});
     Referee referee(scenario, scene.commands);
     if (scenario.goal) watchers.after_tick = [&](const Session& now) { referee.see(now); };
-    const auto ended =
-        play_headless(session, scene.commands, until_of(options, scenario.params), watchers, "running");
+    const auto ended = play_headless(session, scene.commands, until_of(options, scenario.params), watchers,
+                                     outputs.doing("running"));
     if (!ended) return tl::unexpected(ended.error());
     if (auto closed = session.end_recording(); !closed) return tl::unexpected(closed.error());
 
@@ -145,6 +146,7 @@ Failure with_replaced(Failure failure, const Session& session) {
 }  // namespace
 
 Outcome<int> run(const RunOptions& options) {
+    if (auto fits = Outputs::check(options); !fits) return tl::unexpected(fits.error());
     auto scene = scene_of(options);
     if (!scene) return tl::unexpected(scene.error());
     if (options.view)
@@ -161,6 +163,13 @@ Outcome<int> run(const RunOptions& options) {
         return tl::unexpected(possible.error());
     auto outputs = open_outputs(options, scenario, *session);
     if (!outputs) return tl::unexpected(outputs.error());
+    if (auto opened = outputs->open_film(scenario, *session, scene->commands,
+                                         until_of(options, scenario.params), options.step_options);
+        !opened)
+        return tl::unexpected(opened.error());
+    // The recording last, because the others may fail, and a recording of that name is worth more than the beginning of one.
+    if (auto begun = begin_recording(options, scenario, *session); !begun)
+        return tl::unexpected(begun.error());
     tell_warnings(options, *scene);
     auto status = play_and_write(options, *scene, *reference, *session, *outputs);
     if (!status) return tl::unexpected(with_replaced(status.error(), *session));

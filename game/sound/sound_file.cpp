@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "game/files/text_file.h"
-#include "sim/core/check.h"
 
 namespace game::sound {
 namespace {
 
 constexpr int kFrameBytes = 4;  // of two samples
+constexpr std::int64_t kMostBytes = std::numeric_limits<std::uint32_t>::max() - 36;
 
 std::int64_t samples_until(std::int64_t tick, const Session& session) {
     return std::llround(static_cast<double>(tick) * static_cast<double>(session.state().params.tick_s) *
@@ -43,24 +44,25 @@ std::string wav_header(std::uint32_t data_bytes) {
     return header;
 }
 
+tl::unexpected<Failure> too_long(const std::filesystem::path& path, std::int64_t bytes) {
+    return unusable(fmt::format("{}: a WAV file has at most 4 GiB, and this sound has {:.1f}; end it earlier",
+                                path.string(), static_cast<double>(bytes) / (std::int64_t{1} << 30)));
+}
+
 }  // namespace
 
 SoundFile::SoundFile(files::WholeFile file, std::unique_ptr<Speaker> speaker, const Session& session,
-                     std::int64_t ticks, const render::Camera& camera)
+                     const render::Camera& camera)
     : file_(std::move(file)),
       speaker_(std::move(speaker)),
       hearing_(session),
       camera_(camera),
-      first_(session.state().tick),
-      ticks_(ticks) {}
+      first_(session.state().tick) {}
 
 Outcome<SoundFile> SoundFile::open(const std::filesystem::path& path, const Session& session,
-                                   std::int64_t ticks, const render::Camera& camera) {
-    const std::int64_t bytes = kFrameBytes * samples_until(ticks, session);
-    if (bytes > std::numeric_limits<std::uint32_t>::max() - 36)
-        return unusable(
-            fmt::format("{}: a WAV file has at most 4 GiB, and this sound would have {:.1f}; use --until",
-                        path.string(), static_cast<double>(bytes) / (std::int64_t{1} << 30)));
+                                   std::optional<std::int64_t> ticks, const render::Camera& camera) {
+    const std::int64_t bytes = ticks ? kFrameBytes * samples_until(*ticks, session) : 0;
+    if (bytes > kMostBytes) return too_long(path, bytes);
     if (auto placed = make_place_for(path); !placed) return tl::unexpected(placed.error());
     auto speaker = open_speaker(Speaker::Output::kMemory, samples_of_waves);
     if (!speaker) return machine_fails(speaker.error());
@@ -68,7 +70,9 @@ Outcome<SoundFile> SoundFile::open(const std::filesystem::path& path, const Sess
     if (!file) return machine_fails(file.error());
     if (auto written = file->write(wav_header(static_cast<std::uint32_t>(bytes))); !written)
         return machine_fails(written.error());
-    return SoundFile(std::move(*file), std::move(*speaker), session, ticks, camera);
+    SoundFile sound(std::move(*file), std::move(*speaker), session, camera);
+    if (!ticks) sound.endless_ = path;
+    return sound;
 }
 
 Outcome<void> SoundFile::see(const Session& session, std::span<const sim::Command> commands) {
@@ -90,8 +94,13 @@ Outcome<void> SoundFile::see(const Session& session, std::span<const sim::Comman
 }
 
 Outcome<void> SoundFile::close() {
-    CHECK(written_ > 0 || ticks_ == 0);
     if (auto done = file_.finish(); !done) return machine_fails(done.error());
+    if (!endless_) return {};
+    const std::int64_t bytes = kFrameBytes * written_;
+    if (bytes > kMostBytes) return too_long(*endless_, bytes);
+    std::fstream file(*endless_, std::ios::in | std::ios::out | std::ios::binary);
+    file << wav_header(static_cast<std::uint32_t>(bytes)) << std::flush;
+    if (!file) return machine_fails(fmt::format("{}: its length cannot be written", endless_->string()));
     return {};
 }
 

@@ -319,6 +319,40 @@ TEST(FilmOfReplay, has_the_images_of_its_time_and_refuses_what_it_cannot_film) {
     }
 }
 
+// The same of a scene that is run, until a time or until it comes to rest, whenever that is.
+TEST(FilmOfRun, has_the_images_of_its_time_however_it_ends) {
+    const FakeFfmpeg fake("case \"$*\" in *copy*) echo joined >> \"$here/counts\";; esac; " +
+                          std::string(kKeeps) + "; wc -c < \"$into\" >> \"$here/counts\"");
+    const SearchPath path(fake.programs());
+    const fs::path counts = fake.programs().parent_path() / "counts";
+    const std::string file = (fake.films() / "a.mp4").string();
+    const auto run = [&](std::vector<std::string> more) {
+        fs::remove(counts);
+        more.insert(more.begin(), {"run", "landslide", "--grid", "24", "--size", "32x18", "--fps", "30"});
+        return couloir(more);
+    };
+    const auto images = [&] {
+        std::istringstream text(read_bytes(counts));
+        std::size_t bytes = 0;
+        text >> bytes;
+        return bytes / (32 * 18 * 3);
+    };
+    const Finished timed = run({"--seconds", "0.2", "--video", file, "--camera", "top", "--silent"});
+    ASSERT_EQ(timed.status, 0) << timed.err;
+    EXPECT_EQ(images(), 6u);
+    const Finished resting = run({"--until-rest", "--seconds", "0.2", "--video", file});
+    EXPECT_EQ(resting.status, 1) << resting.err;
+    EXPECT_EQ(images(), 6u);
+    EXPECT_EQ(files_in(fake.films()), 1u);
+    for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--seconds", "1", "--silent"},
+                                                  {"--seconds", "1", "--camera", "chase"},
+                                                  {"--seconds", "1", "--video", file, "--camera", "path"},
+                                                  {"--seconds", "1", "--video", file, "--size", "33x18"}}) {
+        const Finished refused = run(wrong);
+        EXPECT_EQ(refused.status, 2) << wrong.back() << ": " << refused.err;
+    }
+}
+
 // The film of the window, which goes on meanwhile.
 class FilmOfWindow : public testing::Test {
   protected:
