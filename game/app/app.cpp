@@ -160,6 +160,8 @@ bool App::frame() {
         time.stage_ms[stage_index(Stage::kPresent)] = watch.lap();
         // Last, of the world that was just shown.
         if (screenshots_.asked()) take_screenshot();
+        if (auto photo = image_.photo_result()) keep_picture(std::move(*photo));
+        if (image_.photo_progress()) skip_wait();
     }
     if (const auto kept = settings_.see(settings_now(), now_s()); !kept) warn(kept.error().sentence);
     frames_.end(time);
@@ -251,6 +253,7 @@ void App::perform_all() {
 }
 
 void App::move_camera(double elapsed_s) {
+    if (image_.photo_progress()) return;
     const sim::View world = sandbox_->session().view();
     if (lookout_.control().mode() == CameraMode::kChase || open_.shots)
         open_.front.see(world);
@@ -295,7 +298,7 @@ void App::guide_stroke() {
 
 // On what is clicked at.
 void App::focus_photo() {
-    if (!input_.brush_pressed() || photo_.settings().f_number <= 0) return;
+    if (!input_.brush_pressed() || photo_.settings().f_number <= 0 || image_.photo_progress()) return;
     if (const auto at = lookout_.land_under(input_.drag_from(), sandbox_->session().view()))
         photo_.focus_on(*at);
 }
@@ -637,11 +640,16 @@ void App::picture_session() {
     if (!sandbox_->watches() && file_.path() && open_.picture.see(moving)) open_.picture.take(image_.shown());
 }
 
-// Of the world as last shown. A large photo is announced in a frame of its own, because the window stands still meanwhile.
+// Of the world as last shown. A large photo is drawn in the next frames.
 void App::take_screenshot() {
     const int times = photo_.is_on() ? photo_.settings().times : 1;
-    if (times > 1 && photo_.announces()) return screenshots_.ask();
-    auto picture = image_.photo(subject(), times);
+    if (image_.photo_progress()) return;
+    if (times == 1) return keep_picture(image_.picture(subject()));
+    if (const auto begun = image_.begin_photo(times); !begun)
+        warn(said("No screenshot: {}", begun.error().sentence));
+}
+
+void App::keep_picture(Outcome<render::Picture> picture) {
     display_.tier = image_.tier();
     if (image_.failure()) return;
     if (!picture) return warn(said("No screenshot: {}", picture.error().sentence));
@@ -657,9 +665,8 @@ void App::take_screenshot() {
 
 std::optional<ui::PhotoNote> App::photo_note() const {
     if (!photo_.is_on()) return std::nullopt;
-    return ui::PhotoNote{photo_.settings(),     focal_lengths(lookout_.aspect()),
-                         photo_.hour(),         screen_.size(),
-                         photo_.is_announced(), photo_.focus_m(camera())};
+    return ui::PhotoNote{photo_.settings(), focal_lengths(lookout_.aspect()), photo_.hour(),
+                         screen_.size(),    image_.photo_progress(),          photo_.focus_m(camera())};
 }
 
 // Follows the surface once per second of the world.

@@ -123,6 +123,7 @@ class App {
     void begin_as_kept(SettingsFile settings, std::optional<Tier> tier);
     const Settings& settings_now();
     void take_screenshot();
+    void keep_picture(Outcome<render::Picture> picture);
     std::span<const Event> watch_opening(std::span<const Event> events);
     void end_opening();
     void lead();

@@ -130,10 +130,16 @@ void App::perform(Verb verb) {
 
 // The world stands still, and only the camera moves.
 bool App::perform_in_photo(Verb verb) {
+    const bool is_taken = image_.photo_progress().has_value();
     switch (verb) {
         case Verb::kPhoto:
         case Verb::kClosePanel:
-            end_photo();
+            if (!is_taken) {
+                end_photo();
+                return true;
+            }
+            image_.drop_photo();
+            tell(tr("The photo was stopped; nothing of it is kept"));
             return true;
         case Verb::kTakeOver:
         case Verb::kScreenshot:
@@ -146,6 +152,7 @@ bool App::perform_in_photo(Verb verb) {
         case Verb::kTopDown:
         case Verb::kFly:
         case Verb::kChase:
+            return is_taken;
         case Verb::kFullscreen:
         case Verb::kMute:
         case Verb::kQuit:
@@ -165,11 +172,11 @@ void App::begin_photo() {
 
 void App::end_photo() {
     photo_.end(lookout_.control());
-    screenshots_.asked();  // for one that was only announced
+    image_.drop_photo();
 }
 
 void App::perform(const SetPhoto& set) {
-    if (photo_.is_on()) photo_.set(set.settings);
+    if (photo_.is_on() && !image_.photo_progress()) photo_.set(set.settings);
 }
 
 // A stroke that is held while time is paused ends there, because it would let time run on.

@@ -16,7 +16,6 @@ void PhotoMode::begin(const Scenario& scenario, const CameraControl& camera, con
     hour_ = hour_like(light, day_);
     light_ = light;
     focus_ = focus;
-    announced_ = false;
 }
 
 void PhotoMode::end(CameraControl& camera) {

@@ -33,10 +33,6 @@ class PhotoMode {
     double focus_m(const render::Camera& camera) const;  // distance along the view
     render::Lens lens(const render::Camera& camera, double aspect) const;
 
-    // A photo that takes long is announced first. True if that is due, in the next frame; then no more.
-    bool announces() { return announced_ = !announced_; }
-    bool is_announced() const { return announced_; }
-
   private:
     std::optional<PhotoSettings> settings_;
     CameraControl::FieldsOfView before_;
@@ -45,7 +41,6 @@ class PhotoMode {
     double first_mm_ = 0;  // the focal length of the camera before
     render::Light light_;
     glm::dvec3 focus_{0};
-    bool announced_ = false;
 };
 
 }  // namespace game

@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include "game/controls/key_map.h"
-#include "game/controls/photo_parts.h"
 #include "game/words/words.h"
 #include "render/gl/context.h"
 
@@ -28,6 +27,10 @@ bool is_cut(const render::Camera& from, const render::Camera& to) {
     return glm::distance(render::eye(to), render::eye(from)) > kJump * from.distance_m;
 }
 
+tl::unexpected<Failure> too_large(const char* what, int width, int height) {
+    return machine_fails(fmt::format("{} for {}×{} pixels; take it smaller", what, width, height));
+}
+
 }  // namespace
 
 WorldImage::WorldImage(Screen& screen, Notices& notices, render::Renderer renderer)
@@ -39,6 +42,7 @@ WorldImage::WorldImage(Screen& screen, Notices& notices, render::Renderer render
 void WorldImage::begin_world(std::uint64_t frame_memory) {
     bounds_ = {};
     frame_memory_ = frame_memory;
+    drop_photo();
 }
 
 Outcome<void> WorldImage::load(render::FlowPattern pattern) {
@@ -54,6 +58,7 @@ void WorldImage::end_trial() {
 
 void WorldImage::draw(const Seen& seen, const Subject& subject, const Moment& moment) {
     now_s_ = moment.now_s;
+    if (photo_) return draw_part(subject);
     tier_ = seen.display.tier;
     const bool another_camera = !(seen.camera == seen_.camera), changed = !(seen == seen_);
     const bool camera_moved = another_camera && (on_its_way_ || !is_cut(seen_.camera, seen.camera));
@@ -247,7 +252,7 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image,
 }
 
 // What was shown is drawn again afterwards, so that the next frame can go on from it.
-std::optional<render::Picture> WorldImage::picture(const Subject& subject) {
+Outcome<render::Picture> WorldImage::picture(const Subject& subject) {
     const Seen shown = seen_;
     const ImageSize size = drawn_, best = best_size();
     const bool is_shown =
@@ -255,7 +260,7 @@ std::optional<render::Picture> WorldImage::picture(const Subject& subject) {
     seen_.marks.ring.reset(), seen_.marks.outline.reset();
     seen_.marks.extent = 0;
     if (!is_shown) draw_image(subject, best);
-    if (failure_) return std::nullopt;
+    if (failure_) return tl::unexpected(*failure_);
     render::Picture picture = renderer_.read_back();
     if (!is_shown) {
         seen_ = shown;
@@ -265,46 +270,57 @@ std::optional<render::Picture> WorldImage::picture(const Subject& subject) {
     return picture;
 }
 
-Outcome<render::Picture> WorldImage::photo(const Subject& subject, int times) {
-    if (times == 1) {
-        auto once = picture(subject);
-        return once ? Outcome<render::Picture>(std::move(*once)) : tl::unexpected(*failure_);
-    }
-    const ImageSize size = drawn_;
-    auto photo = photo_in_parts(subject, times);
-    if (failure_) return tl::unexpected(*failure_);
-    draw_image(subject, size);
-    resolution_.drew_another();
-    return photo;
-}
-
-Outcome<render::Picture> WorldImage::photo_in_parts(const Subject& subject, int times) {
+Outcome<void> WorldImage::begin_photo(int times) {
     const ScreenSize screen = screen_.size();
     const std::int64_t pixels =
         static_cast<std::int64_t>(times) * times * screen.width * static_cast<std::int64_t>(screen.height);
-    const auto too_large = [&](const char* what) {
-        return machine_fails(fmt::format("{} for {}×{} pixels; take it smaller", what, times * screen.width,
-                                         times * screen.height));
-    };
-    if (pixels > kMostPhotoPixels) return too_large("there is no room");
+    const int width = times * screen.width, height = times * screen.height;
+    if (pixels > kMostPhotoPixels) return too_large("there is no room", width, height);
     const ImageBounds bounds{screen_.longest_side(), bounds_.most_bytes};
-    const int rim = PhotoParts::rim_of(seen_.lens, times * screen.height);
-    const auto plan = PhotoParts::plan(screen, times, rim, bounds);
-    if (!plan) return too_large("the graphics driver has no buffers");
+    const auto plan = PhotoParts::plan(screen, times, PhotoParts::rim_of(seen_.lens, height), bounds);
+    if (!plan) return too_large("the graphics driver has no buffers", width, height);
     try {
-        render::Picture photo{plan->width(), plan->height(),
-                              std::vector<std::uint8_t>(static_cast<std::size_t>(3 * pixels))};
-        for (int part = 0; part < plan->parts(); ++part) {
-            draw_once(subject, plan->frame(), plan->place(part));
-            const DeviceFault fault = screen_.device_fault();
-            if (fault == DeviceFault::kLost) fail_lost();
-            if (fault != DeviceFault::kNone) return too_large("the graphics driver has no memory");
-            plan->put(part, renderer_.read_back(), photo);
-        }
-        return photo;
+        render::Picture picture{width, height,
+                                std::vector<std::uint8_t>(static_cast<std::size_t>(3 * pixels))};
+        photo_.emplace(Photo{*plan, std::move(picture), 0, render::KeptImage(screen.width, screen.height)});
     } catch (const std::bad_alloc&) {
-        return too_large("there is no memory");
+        return too_large("there is no memory", width, height);
     }
+    renderer_.show_on(photo_->shown.framebuffer(), screen.width, screen.height);
+    return {};
+}
+
+std::optional<double> WorldImage::photo_progress() const {
+    if (!photo_) return std::nullopt;
+    return static_cast<double>(photo_->part) / photo_->plan.parts();
+}
+
+// The next image is drawn whatever it shows, because the last one is gone.
+void WorldImage::drop_photo() {
+    if (photo_) seen_ = {};
+    photo_.reset();
+    photo_result_.reset();
+}
+
+void WorldImage::draw_part(const Subject& subject) {
+    draw_once(subject, photo_->plan.frame(), photo_->plan.place(photo_->part));
+    const DeviceFault fault = screen_.device_fault();
+    if (fault == DeviceFault::kLost) return fail_lost();
+    const ScreenSize size = screen_.size();
+    if (fault != DeviceFault::kNone) {
+        photo_result_ =
+            too_large("the graphics driver has no memory", photo_->picture.width, photo_->picture.height);
+    } else {
+        photo_->plan.put(photo_->part++, renderer_.read_back(), photo_->picture);
+        if (photo_->part < photo_->plan.parts())
+            return photo_->shown.show_on(screen_.framebuffer(), size.width, size.height);
+        photo_result_ = std::move(photo_->picture);
+    }
+    photo_.reset();
+    // What was shown is drawn again, so that the next frame can go on from it.
+    draw_image(subject, drawn_);
+    resolution_.drew_another();
+    renderer_.show_on(screen_.framebuffer(), size.width, size.height);
 }
 
 }  // namespace game

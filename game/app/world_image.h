@@ -11,11 +11,13 @@
 #include "game/controls/frame_times.h"
 #include "game/controls/image_size.h"
 #include "game/controls/notices.h"
+#include "game/controls/photo_parts.h"
 #include "game/controls/resolution_control.h"
 #include "game/controls/screen.h"
 #include "game/controls/tier_trial.h"
 #include "game/session/sandbox.h"
 #include "render/frame.h"
+#include "render/gl/kept_image.h"
 
 namespace game {
 
@@ -66,12 +68,19 @@ class WorldImage {
     void draw(const Seen& seen, const Subject& subject, const Moment& moment);
     // The image that is shown, as it is.
     render::Picture shown() const { return renderer_.read_back(); }
-    // The image that was drawn last as finely as one that stands still, without ring and ghost; nothing after a failure.
-    std::optional<render::Picture> picture(const Subject& subject);
+    // The image that was drawn last as finely as one that stands still, without ring and ghost. Errors: as failure().
+    Outcome<render::Picture> picture(const Subject& subject);
 
-    // What was drawn last, `times` as wide and high as the screen, in parts if that is more than once. Errors: it is too
-    // large for the memory or the device; then it may be taken smaller, unless failure() says more.
-    Outcome<render::Picture> photo(const Subject& subject, int times);
+    // Begins a photo of what was drawn last, `times` as wide and high as the screen. Each draw() from now on draws a part of
+    // it, and shows the image as it was; the world, the camera and the display must not change. Errors: it is too large for
+    // the memory or the device, and may be taken smaller.
+    Outcome<void> begin_photo(int times);
+    std::optional<double> photo_progress() const;  // 0 to 1; nothing unless one is being drawn
+    void drop_photo();
+    // The photo, once it is drawn. Errors: as begin_photo(), unless failure() says more.
+    std::optional<Outcome<render::Picture>> photo_result() {
+        return std::exchange(photo_result_, std::nullopt);
+    }
 
     const ImageSize& size() const { return drawn_; }  // as last drawn
     // For the next image: as seen last, unless the trial or the driver asked for another.
@@ -87,7 +96,7 @@ class WorldImage {
     void draw_image(const Subject& subject, ImageSize image);
     void draw_once(const Subject& subject, const ImageSize& image,
                    const std::optional<render::WholeImage>& whole = std::nullopt);
-    Outcome<render::Picture> photo_in_parts(const Subject& subject, int times);
+    void draw_part(const Subject& subject);
     void finish_trial(double draw_ms);
     void tell_bounds();
     void lower_bounds(DeviceFault fault);
@@ -113,6 +122,16 @@ class WorldImage {
     std::optional<TierTrial> trial_;  // in the first frames
     Tier tier_ = Tier::kFast;         // for the next frame
     std::optional<Failure> failure_;
+
+    // A photo while it is drawn.
+    struct Photo {
+        PhotoParts plan;
+        render::Picture picture;
+        int part;                 // the next one
+        render::KeptImage shown;  // meanwhile
+    };
+    std::optional<Photo> photo_;
+    std::optional<Outcome<render::Picture>> photo_result_;
 };
 
 }  // namespace game

@@ -159,11 +159,11 @@ struct PathNote {
 // How a photo will be taken.
 struct PhotoNote {
     PhotoSettings settings;
-    FocalLengths focal;     // that the camera may have
-    double hour = 12;       // of the light, or of a light like it
-    ScreenSize screen;      // px
-    bool is_taken = false;  // in this frame
-    double focus_m = 0;     // how far away is what is sharp, if not all is
+    FocalLengths focal;                // that the camera may have
+    double hour = 12;                  // of the light, or of a light like it
+    ScreenSize screen;                 // px
+    std::optional<double> taken = {};  // 0 to 1, how much is drawn, while it is
+    double focus_m = 0;                // how far away is what is sharp, if not all is
 };
 
 // Where a part of the slide is on the screen.

@@ -99,7 +99,7 @@ bool size(Desk& desk, const PhotoNote& photo, PhotoSettings& settings) {
 }
 
 void buttons(Desk& desk, const Facts& facts, Actions& actions) {
-    constexpr const char *kTake = "Take the photo", *kTaken = "One moment …";
+    constexpr const char* kTake = "Take the photo";
     std::array<char, 160> tooltip;
     ImGui::BeginGroup();
     desk.widgets.caption("", 0);
@@ -107,8 +107,19 @@ void buttons(Desk& desk, const Facts& facts, Actions& actions) {
                   name_of(facts.keys, Verb::kTakeOver).c_str(),
                   name_of(facts.keys, Verb::kScreenshot).c_str());
     const float width = ImGui::CalcTextSize(tr(kTake)).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (desk.widgets.button(facts.photo->is_taken ? kTaken : kTake, tooltip.data(), true, width))
-        actions.emplace_back(Verb::kScreenshot);
+    if (facts.photo->taken) {
+        std::array<char, 32> share;
+        std::snprintf(share.data(), share.size(), "%.0f %%", 100 * *facts.photo->taken);
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, faded(kAccent, 0.6f));
+        ImGui::ProgressBar(static_cast<float>(*facts.photo->taken), {width, 0}, share.data());
+        ImGui::PopStyleColor();
+        desk.widgets.note("Taking the photo");
+        ImGui::SameLine();
+        if (desk.widgets.button("Cancel", "Stops the photo; nothing of it is kept."))
+            actions.emplace_back(Verb::kClosePanel);
+        return ImGui::EndGroup();
+    }
+    if (desk.widgets.button(kTake, tooltip.data(), true, width)) actions.emplace_back(Verb::kScreenshot);
     ImGui::SameLine();
     std::snprintf(tooltip.data(), tooltip.size(), tr("%s or %s: leaves the photo mode."),
                   name_of(facts.keys, Verb::kClosePanel).c_str(), name_of(facts.keys, Verb::kPhoto).c_str());
@@ -127,6 +138,7 @@ void photo_bar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowPos({desk.size.x / 2, desk.size.y - desk.margin()}, ImGuiCond_Always, {0.5f, 1});
     ImGui::Begin("Photo", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     PhotoSettings settings = photo.settings;
+    ImGui::BeginDisabled(photo.taken.has_value());
     bool changed = focal_length(desk, photo, settings, wide);
     ImGui::SameLine(0, gap);
     changed |= exposure(desk, settings, wide);
@@ -136,6 +148,7 @@ void photo_bar(Desk& desk, const Facts& facts, Actions& actions) {
     changed |= aperture(desk, photo, settings, wide);
     if (one_row) ImGui::SameLine(0, 2 * gap);
     changed |= size(desk, photo, settings);
+    ImGui::EndDisabled();
     ImGui::SameLine(0, 2 * gap);
     buttons(desk, facts, actions);
     if (changed) actions.emplace_back(SetPhoto{settings});

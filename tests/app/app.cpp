@@ -2121,6 +2121,56 @@ TEST_F(Sending, takes_photos_in_a_world_that_stands_still_and_gives_everything_b
     EXPECT_FALSE(app_->photo().is_on());
 }
 
+// The window goes on with the image that it had: the bar fills, and Esc ends the photo alone.
+TEST_F(Sending, draws_a_large_photo_a_part_per_frame_and_stops_it_if_asked) {
+    begin();
+    tap(function_key(8));
+    frames(2);
+    click("2 ×");
+    screen_.move(kAtX, 20);
+    frames(60);
+    const auto sky_and_slope = [this] {
+        const render::Picture picture = screen_.picture();
+        return std::vector<std::uint8_t>(picture.pixels.begin(), picture.pixels.begin() + 3 * 640 * 200);
+    };
+    const auto before = sky_and_slope();
+    const render::Camera camera = app_->camera();
+    const WorldImage& image = app_->image();
+    tap(Key::kEnter);
+    EXPECT_EQ(image.photo_progress(), 0);
+    screen_.happen({WheelEvent{5, {}}});
+    tap(Key::kHome);
+    ASSERT_GT(image.photo_progress(), 0);
+    EXPECT_LT(image.photo_progress(), 1);
+    EXPECT_TRUE(sky_and_slope() == before);
+    EXPECT_TRUE(shows("Taking the photo"));
+    EXPECT_EQ(app_->camera(), camera) << "nothing moves meanwhile";
+    tap(Key::kEscape);
+    EXPECT_FALSE(image.photo_progress());
+    EXPECT_TRUE(app_->photo().is_on());
+    EXPECT_NE(last_notice().find("stopped"), std::string::npos) << last_notice();
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "couloir/screenshots"));
+    EXPECT_EQ(app_->camera(), camera);
+    frames(400);  // until no notice is shown
+    EXPECT_TRUE(sky_and_slope() == before);
+
+    tap(Key::kEnter);
+    int parts = 0;
+    for (; image.photo_progress() && parts < 100; ++parts) frames(1);
+    EXPECT_GE(parts, 4);
+    EXPECT_TRUE(sky_and_slope() == before);
+    wait_until_told("Screenshot: ");
+    EXPECT_EQ(screenshots().size(), 1u);
+
+    tap(Key::kEnter);
+    frames(1);
+    ASSERT_TRUE(image.photo_progress());
+    screen_.drop({"landslide"});
+    frames(2);
+    EXPECT_FALSE(image.photo_progress());
+    EXPECT_FALSE(app_->photo().is_on());
+}
+
 TEST_F(Sending, says_that_a_photo_cannot_be_written_or_is_too_large) {
     begin();
     std::filesystem::create_directory(folder_.path() / "couloir");

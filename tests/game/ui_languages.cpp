@@ -58,7 +58,7 @@ class UiLanguages : public UiHand {
         path_ = {};
         photo_ = ui::PhotoNote{{}, focal_lengths(16.0 / 9), 14.5, {}};
         look("photo mode");
-        photo_->is_taken = true;
+        photo_->taken = 0.5;
         look("photo mode, taking one");
         photo_.reset();
         timeline_ = {.known_until = 100, .watches = true};
