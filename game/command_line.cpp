@@ -268,6 +268,8 @@ void add_play(CLI::App& app, PlayOptions& options) {
            "name of a scene, or a file: a scene (.toml), a recording to watch and continue (.couloir), or an "
            "elevation raster [couloir]")
         ->type_name("SCENE");
+    app.add_option("--lesson", options.lesson, "give this lesson: a name from `couloir list`, or a file")
+        ->type_name("LESSON");
     add_number(app, "--until", "TICK", options.until, kTicks,
                "take over the recording at this tick, not at its end");
     app.add_option(

@@ -144,6 +144,7 @@ bool App::frame() {
 
     // Ticks that are due, each with the user's commands: recorded first, then applied. None behind the menu and for a photo.
     if (!ui_.shows_menu() && !photo_.is_on()) run_ticks(elapsed_s, time);
+    see_lesson();
     time.stage_ms[stage_index(Stage::kSolve)] = watch.lap();
 
     lead();
@@ -326,7 +327,8 @@ void App::fit_hand() {
 void App::begin_stroke() {
     if (runs_)
         if (const auto run = runs_->pointed_at()) return open_run(*run);
-    if (sandbox_->looks_back()) return tell_hands_off();
+    if (open_.lesson && open_.lesson->asks_guess()) return guess_in_lesson();
+    if (is_read_only()) return tell_hands_off();
     if (sandbox_->scenario().flow)
         return tell(tr("Brushes do not work in a flow demo. Change its speeds in the Display panel"));
     // Where the button was pressed; the cursor may have moved on since.
@@ -415,7 +417,10 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
                    hand_.stroke() || sandbox_->scenario().flow);
     if (hand_.stroke() || clock.paused() || clock.runs_back() || time_.target()) open_.skips = false;
     const int by_clock = clock.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
-    const int due = open_.skips ? kSkippedTicks : by_clock;
+    int due = open_.skips ? kSkippedTicks : by_clock;
+    if (open_.lesson && !clock.runs_back())
+        due = static_cast<int>(
+            std::min<std::int64_t>(due, open_.lesson->ticks_to_stop(sandbox_->session().state().tick)));
     const double begun = screen_.seconds();
     if (clock.runs_back() && !time_.target()) time_.rewind_to(sandbox_->session().state().tick - due);
     if (time_.target()) return seek(*time_.target(), begun);
@@ -453,6 +458,45 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time_.sees_again() && (has_card() || !sandbox_->looks_back()))
         time_.go_to(sandbox_->known_until());  // back to the present, once it has come to rest
     take_over_at_end();
+}
+
+// Opens the card of a stop at which time has arrived, and lets time stand still there.
+void App::see_lesson() {
+    if (!open_.lesson || time_.target() || time_.clock().runs_back()) return;
+    if (!open_.lesson->see(sandbox_->session().state().tick)) return;
+    if (!time_.clock().paused()) pause(true);
+    if (!open_.lesson->lacks_figures()) return;
+    open_.lesson->take(
+        lesson_figures(sandbox_->scenario(), sandbox_->session(), sandbox_->opening().scene.commands));
+    sounds_.note(sound::Wave::kHint);
+    if (const auto& view = open_.lesson->open()->camera) {
+        render::Camera there = home();
+        const glm::dvec2 at(view->east, view->north);
+        there.target = {at, surface_height(sandbox_->session().view(), at)};
+        there.azimuth_deg = view->azimuth_deg;
+        there.elevation_deg = view->elevation_deg;
+        there.distance_m = view->distance_m;
+        lookout_.control().go_to(there);
+    }
+}
+
+// Where the button was pressed.
+void App::guess_in_lesson() {
+    const auto at = lookout_.ground_under(input_.drag_from(), sandbox_->session().view());
+    if (at) open_.lesson->guess(glm::dvec2(*at));
+}
+
+// What was guessed, and at the end what came of it.
+void App::trace_lesson() {
+    if (!open_.lesson) return;
+    open_.lesson_marks.clear();
+    const sim::View world = sandbox_->session().view();
+    const auto add = [&](const std::optional<glm::dvec2>& place, bool is_guess) {
+        const auto at = place ? lookout_.seen_on_screen(*place, world) : std::nullopt;
+        if (at) open_.lesson_marks.push_back({*at, is_guess});
+    };
+    add(open_.lesson->toe(), false);
+    add(open_.lesson->guessed(), true);
 }
 
 // Scores an attempt at the moment at which it ends.
@@ -536,7 +580,7 @@ void App::seek(std::int64_t tick, double begun_s) {
 
 // Hands a watched recording over to the user at its end.
 void App::take_over_at_end() {
-    if (!sandbox_->watched_to_end()) return;
+    if (!sandbox_->watched_to_end() || open_.lesson) return;
     time_.clock().set_speed(1);  // the user may have watched at a higher speed
     const Verdict verdict = *sandbox_->verdict();
     const bool proven = verdict.proven_tick == sandbox_->known_until();
@@ -614,8 +658,7 @@ render::Marks App::marks() const {
     if (tutorial_.shows_opening() || photo_.is_on()) return marks;
     const bool wanted = (!ui_.hides_panels() && !open_.measuring.takes_press()) ||
                         hand_.stroke();  // without panels the image is for looking
-    if (lookout_.ground() && wanted && !sandbox_->looks_back() && !sandbox_->scenario().flow)
-        show_hand(marks);
+    if (lookout_.ground() && wanted && !is_read_only() && !sandbox_->scenario().flow) show_hand(marks);
     return marks;
 }
 
@@ -744,6 +787,7 @@ void App::draw_panels() {
     trace_goal();
     trace_dam();
     trace_runs();
+    trace_lesson();
     measure();
     label_slide();
     std::optional<Reading> reading;
@@ -782,6 +826,8 @@ void App::draw_panels() {
             .houses = ui_.shows_measures() ? open_.measuring.houses() : std::span<const ui::HouseMark>(),
             .slide_labels = display_.labels ? open_.slide_labels.labels() : std::span<const ui::SlideLabel>(),
             .compass = display_.labels ? open_.slide_labels.compass() : std::nullopt,
+            .lesson = open_.lesson ? open_.lesson->note() : std::nullopt,
+            .lesson_marks = open_.lesson_marks,
             .best_runs = best_list_.runs(),
             .actions_to_undo = sandbox_->actions(),
             .actions_to_redo = sandbox_->undone(),
@@ -796,6 +842,7 @@ void App::draw_panels() {
             .timeline = timeline,
             .time_marks = open_.marks.all(),
             .skips = open_.skips,
+            .in_lesson = open_.lesson.has_value(),
             .recording = file_.path() ? std::string_view(file_.path()->native()) : std::string_view(),
             .renderer = renderer_name_,
             .sound_fault = sounds_.fault(),

@@ -13,6 +13,7 @@
 #include "game/app/ghost.h"
 #include "game/app/goal_lines.h"
 #include "game/app/languages.h"
+#include "game/app/lesson_run.h"
 #include "game/app/measuring.h"
 #include "game/app/photo_mode.h"
 #include "game/app/results.h"
@@ -95,6 +96,7 @@ class App {
     const PathMaker& path() const { return path_; }
     const std::optional<ShownRuns>& runs() const { return runs_; }
     bool is_making_challenge() const { return maker_.is_busy(); }
+    const std::optional<LessonRun>& lesson() const { return open_.lesson; }
     bool is_filming() const { return filming_.progress().has_value(); }
     bool is_sharing() const { return sharing_.progress().has_value(); }
     // The file that this session is written to; nothing while a recording is watched, if none could be created,
@@ -166,6 +168,7 @@ class App {
     void load_path();
     Outcome<std::filesystem::path> path_file() const;
     void perform(const DrawSection& wish);
+    void perform(const LessonWish& wish);
     bool perform_in_photo(Verb verb);  // false: as always
     void begin_photo();
     void end_photo();
@@ -214,6 +217,12 @@ class App {
     void go_to_mark(const std::optional<std::int64_t>& tick);
     void run_back();
     void tell_hands_off();
+    // A past or a lesson is looked at.
+    bool is_read_only() const { return sandbox_->looks_back() || open_.lesson; }
+    void see_lesson();
+    void go_on_with_lesson();
+    void guess_in_lesson();
+    void trace_lesson();
 
     // Another world, whose time is neither paused nor at another speed.
     Outcome<void> begin_afresh(LoadedWorld loaded);
@@ -250,6 +259,8 @@ class App {
         std::optional<ui::GhostNote> ghost_note;  // of the ghost as it is shown
         SessionPicture picture;
         TimeMarks marks;
+        std::optional<LessonRun> lesson;  // of first_
+        std::vector<ui::LessonMark> lesson_marks;
         bool skips = false;  // to the end of the slide
     };
 

@@ -46,6 +46,7 @@ void App::perform(Verb verb) {
     if (ui_.perform(verb)) return;
     switch (verb) {
         case Verb::kPauseOrGoOn:
+            if (open_.lesson && open_.lesson->open()) return go_on_with_lesson();
             return pause(!time_.clock().paused());
         case Verb::kStepOnce:
             pause(true);
@@ -321,7 +322,7 @@ void App::perform(const TryChallenge&) {
 }
 
 void App::perform(const SetNumber& set) {
-    if (sandbox_->looks_back()) return tell_hands_off();
+    if (is_read_only()) return tell_hands_off();
     // So that a recording contains 0.6, not 0.6000000238418579.
     const double value = shortest(set.value);
     if (const auto fault = hand_.set_number(sandbox_->session().state().params, set.param, value))
@@ -458,6 +459,8 @@ void App::take_over() {
                                                     : next_recording(sandbox_->scenario().scene);
     time_.run_on();
     time_.begin_epoch();
+    open_.lesson.reset();
+    open_.lesson_marks.clear();
     const double seconds = sandbox_->session().seconds();
     auto taken = sandbox_->take_over(into_file(path ? std::optional(*path) : std::nullopt));
     if (!path) taken = tl::unexpected(path.error());
@@ -584,6 +587,20 @@ void App::perform(const DrawSection& wish) {
     open_.measuring.wait_for_line(wish.waits);
 }
 
+void App::perform(const LessonWish& wish) {
+    if (!open_.lesson) return;
+    if (wish.answer) return open_.lesson->answer(*wish.answer);
+    go_on_with_lesson();
+}
+
+// From its stop, wherever time was scrubbed to meanwhile.
+void App::go_on_with_lesson() {
+    const auto tick = open_.lesson->go_on();
+    if (!tick) return;
+    if (sandbox_->session().state().tick != *tick) time_.go_to(*tick);
+    pause(sandbox_->known_until() == *tick);
+}
+
 void App::tell_film() {
     const auto made = filming_.result();
     if (!made) return;
@@ -701,7 +718,13 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     sounds_.listen_to(sandbox_->session());
     first_ = std::move(loaded);
     open_ = {};
-    if (first_.watched) open_.marks.begin(first_.watched->commands);
+    if (first_.lesson) {
+        open_.lesson.emplace(*first_.lesson, static_cast<double>(first_.scene.scenario.params.tick_s));
+        time_.clock().pause(false);  // from its last stop
+    }
+    if (first_.watched)
+        open_.marks.begin(first_.watched->commands,
+                          open_.lesson ? open_.lesson->ticks() : std::span<const std::int64_t>());
     image_.begin_world(memory_for_frames(first_));
     file_.want(std::move(record));
     file_.begin(std::move(recording));

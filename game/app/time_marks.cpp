@@ -30,8 +30,9 @@ int damage_in(const Session& session) {
 
 }  // namespace
 
-void TimeMarks::begin(std::span<const TimedCommand> known) {
+void TimeMarks::begin(std::span<const TimedCommand> known, std::span<const std::int64_t> stops) {
     *this = TimeMarks();
+    for (const std::int64_t tick : stops) add({tick, ui::TimeMark::Kind::kStop, message("stop")});
     for (const TimedCommand& each : known) add_command(each.tick, each.command.kind);
     if (!known.empty()) known_until_ = known.back().tick + 1;
 }

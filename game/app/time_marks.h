@@ -19,7 +19,8 @@ class TimeMarks {
     TimeMarks() { marks_.reserve(kMost); }
 
     // Another world; `known`: what will be done in it, of a recording that is watched.
-    void begin(std::span<const TimedCommand> known);
+    // `stops`: ticks of a lesson.
+    void begin(std::span<const TimedCommand> known, std::span<const std::int64_t> stops = {});
     // Call after each tick with the commands at its start.
     void see(const Session& session, std::span<const sim::Command> commands);
     // What came after this tick is not known any more.

@@ -40,6 +40,12 @@ inline constexpr double kFarthestPlace = 1e7;                                 //
 inline constexpr std::size_t kFewestCameraKeys = 2, kMostCameraKeys = 64;     // of a camera path
 inline constexpr std::size_t kFewestTreeCorners = 3, kMostTreeCorners = 256;  // of the polygon of [trees]
 
+// Lessons, which are TOML too. Of texts: bytes.
+inline constexpr std::size_t kMostLessonBytes = std::size_t{64} << 10;
+inline constexpr std::size_t kFewestStops = 2, kMostStops = 12, kFewestAnswers = 2, kMostAnswers = 4;
+inline constexpr std::size_t kMostLessonHeading = 80, kMostLessonAbout = 200, kMostLessonText = 600;
+inline constexpr std::size_t kMostLessonQuestion = 200, kMostLessonAnswer = 80, kMostLessonWhy = 300;
+
 // Languages.
 inline constexpr std::size_t kMostLanguageBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMostMessages = 10'000, kLongestMessage = 4096;  // bytes
@@ -86,6 +92,15 @@ inline constexpr auto kReaderLimits = std::to_array<ReaderLimit>({
     {"scene, material, camera path", "dotted keys and table headers", kMostDottedKeys, ""},
     {"scene, material, camera path", "parts of a dotted key", kMostKeyParts, ""},
     {"scene, material, camera path", "lists and tables within each other", kMostTomlDepth, "levels"},
+    {"lesson", "file", kMostLessonBytes, "bytes"},
+    {"lesson", "stops", kMostStops, ""},
+    {"lesson", "answers of a question", kMostAnswers, ""},
+    {"lesson", "title, heading, name of the recording", kMostLessonHeading, "bytes"},
+    {"lesson", "about", kMostLessonAbout, "bytes"},
+    {"lesson", "text of a stop", kMostLessonText, "bytes"},
+    {"lesson", "question", kMostLessonQuestion, "bytes"},
+    {"lesson", "answer", kMostLessonAnswer, "bytes"},
+    {"lesson", "why", kMostLessonWhy, "bytes"},
     {"GeoJSON", "file", terrains::kMostGeoJsonBytes, "bytes"},
     {"GeoJSON", "values", terrains::kGeoJsonLimits.values, ""},
     {"GeoJSON", "members of an object", terrains::kGeoJsonLimits.members, ""},

@@ -174,6 +174,7 @@ Outcome<int> share(const ShareOptions& options);
 struct PlayOptions {
     std::string program;                // argv[0]
     std::string what;                   // scene, terrain file or recording; empty: the first scene
+    std::optional<std::string> lesson;  // name or file; `what` is empty then
     std::optional<std::int64_t> until;  // take over a recording at this tick
     std::optional<std::filesystem::path> ensemble;  // folder of results; `what` is their file
     Overrides overrides;

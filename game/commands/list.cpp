@@ -15,7 +15,8 @@ Outcome<int> list(const ListOptions& options) {
     };
     constexpr Shelf kShelves[] = {{AssetKind::kScene, "scenes", "scenes (couloir run NAME)"},
                                   {AssetKind::kMaterial, "materials", "materials (--material NAME)"},
-                                  {AssetKind::kRecording, "recordings", "recordings (couloir replay NAME)"}};
+                                  {AssetKind::kRecording, "recordings", "recordings (couloir replay NAME)"},
+                                  {AssetKind::kLesson, "lessons", "lessons (couloir play --lesson NAME)"}};
     Json json;
     std::string text;
     for (const Shelf& shelf : kShelves) {

@@ -57,8 +57,10 @@ Outcome<int> play(const PlayOptions& options) {
     Overrides overrides = options.overrides;
     overrides.week = this_week();
     overrides.memory.use = {.draws = true, .frames = {size.width, size.height}, .goes_back = true};
+    if (options.lesson && (!options.what.empty() || options.until))
+        return unusable("--lesson goes with neither a scene nor --until: a lesson has its own recording");
     std::optional<Remembered> led;
-    if (options.what.empty()) led = remembered_guide();
+    if (options.what.empty() && !options.lesson) led = remembered_guide();
     const bool watches = led && led->guide.step() == Guide::Step::kWatch && !options.record;
     std::optional<Runs> runs;
     if (options.ensemble && options.what.empty())
@@ -68,11 +70,12 @@ Outcome<int> play(const PlayOptions& options) {
         if (!read) return tl::unexpected(read.error());
         runs = std::move(*read);
     }
-    auto loaded = runs ? Outcome<LoadedWorld>(runs->world)
-                       : open_anything(!options.what.empty() ? options.what
-                                       : watches             ? Guide::kSlide
-                                                             : Guide::kMountain,
-                                       overrides);
+    auto loaded = runs             ? Outcome<LoadedWorld>(runs->world)
+                  : options.lesson ? open_lesson(*options.lesson, overrides)
+                                   : open_anything(!options.what.empty() ? options.what
+                                                   : watches             ? Guide::kSlide
+                                                                         : Guide::kMountain,
+                                                   overrides);
     if (!loaded) return tl::unexpected(loaded.error());
     FileUse use;
     if (auto sound =

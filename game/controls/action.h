@@ -154,6 +154,11 @@ struct EditPath {
     std::size_t key = 0;  // of kGoTo and kRemove
 };
 
+// At the card of a lesson: time goes on, or an answer to its question.
+struct LessonWish {
+    std::optional<std::size_t> answer;  // none: time goes on
+};
+
 // The next drag on the terrain is the line of the cross-section, and no stroke; or no longer.
 struct DrawSection {
     bool waits;
@@ -168,7 +173,7 @@ struct CoverGround {
 using Action = std::variant<Verb, Tool, SetSpeed, SeekTick, SetBrush, SetNumber, SetDisplay, Open, LookAt,
                             SeeFromFront, GuideWish, SaveWorld, MakeChallenge, TryChallenge, ChallengeFriend,
                             CoverGround, BindKey, ResetKeys, SetPhoto, FilmSlide, StopFilm, EditPath,
-                            RenameFile, ThrowAway, ShowFile, DrawSection>;
+                            RenameFile, ThrowAway, ShowFile, DrawSection, LessonWish>;
 using Actions = std::vector<Action>;
 
 }  // namespace game

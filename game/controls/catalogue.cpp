@@ -9,6 +9,7 @@
 #include "game/files/assets.h"
 #include "game/recording/format.h"
 #include "game/recording/recording_length.h"
+#include "game/scene/lesson.h"
 #include "game/scene/scene_file.h"
 #include "terrains/json_reader.h"
 
@@ -27,6 +28,14 @@ Outcome<std::string> look_into_toml(Catalogue::Entry& entry) {
     entry.difficulty = scene->difficulty.value_or(0);
     entry.is_weekly = scene->weekly;
     return document["title"].value_or(entry.name);
+}
+
+Outcome<std::string> look_into_lesson(Catalogue::Entry& entry) {
+    const auto lesson = read_lesson(entry.file);
+    if (!lesson) return tl::unexpected(lesson.error());
+    entry.kind = Catalogue::Kind::kLesson;
+    entry.about = lesson->about;
+    return lesson->title;
 }
 
 // Reads only the first line, because recordings are long.
@@ -49,7 +58,9 @@ Outcome<std::vector<Catalogue::Entry>> read_entries(AssetKind kind) {
         const auto file = find_asset(kind, name);
         if (!file) return tl::unexpected(file.error());
         Catalogue::Entry entry{name, {}, *file};
-        auto title = kind == AssetKind::kRecording ? title_of_recording(entry) : look_into_toml(entry);
+        auto title = kind == AssetKind::kRecording ? title_of_recording(entry)
+                     : kind == AssetKind::kLesson  ? look_into_lesson(entry)
+                                                   : look_into_toml(entry);
         if (!title) return tl::unexpected(title.error());
         entry.title = std::move(*title);
         entries.push_back(std::move(entry));
@@ -63,7 +74,8 @@ Outcome<Catalogue> read_catalogue() {
     Catalogue catalogue;
     for (const auto& [kind, entries] : {std::pair{AssetKind::kScene, &catalogue.scenes},
                                         std::pair{AssetKind::kMaterial, &catalogue.materials},
-                                        std::pair{AssetKind::kRecording, &catalogue.recordings}}) {
+                                        std::pair{AssetKind::kRecording, &catalogue.recordings},
+                                        std::pair{AssetKind::kLesson, &catalogue.lessons}}) {
         auto found = read_entries(kind);
         if (!found) return tl::unexpected(found.error());
         *entries = std::move(*found);

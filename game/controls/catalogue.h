@@ -16,7 +16,7 @@ namespace game {
 struct Catalogue {
     // Pixels of the picture of a shipped scene, which is NAME.jpg beside NAME.toml.
     static constexpr int kPictureWidth = 576, kPictureHeight = 324;
-    enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo };  // of a scene
+    enum class Kind : std::uint8_t { kChallenge, kMountain, kFlowDemo, kLesson };  // of what is played
     struct Best {
         std::int64_t score = 0;
         int medal = 0;  // 0 none to 3 gold
@@ -34,7 +34,7 @@ struct Catalogue {
         std::optional<double> length_s = {};  // of such a recording, if it is known
     };
     std::vector<Entry> scenes;  // by kind; challenges from easy to hard, then by name
-    std::vector<Entry> materials, recordings;
+    std::vector<Entry> materials, recordings, lessons;
     // What the user has made, of each kind the newest first.
     std::array<std::vector<Entry>, kShelfKinds.size()> own;
     std::vector<Entry>& own_of(ShelfKind kind) { return own.at(static_cast<std::size_t>(kind)); }

@@ -26,6 +26,8 @@ Drawer drawer_of(AssetKind kind) {
             return {"scenes", ".toml", "scene"};
         case AssetKind::kMaterial:
             return {"materials", ".toml", "material"};
+        case AssetKind::kLesson:
+            return {"lessons", ".toml", "lesson"};
         case AssetKind::kRecording:
             break;
     }

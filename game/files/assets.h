@@ -13,7 +13,7 @@ namespace game {
 // program (a build tree), else share/couloir of its prefix (an installation). Errors: none of these has them.
 Outcome<std::filesystem::path> assets_folder();
 
-enum class AssetKind { kScene, kMaterial, kRecording };
+enum class AssetKind { kScene, kMaterial, kRecording, kLesson };
 
 // Names of all shipped assets of a kind, sorted.
 Outcome<std::vector<std::string>> asset_names(AssetKind kind);

@@ -99,6 +99,19 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
     return std::nullopt;
 }
 
+std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key, std::size_t least,
+                                                         std::size_t most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const toml::array* array = node->as_array();
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; array && i < array->size(); ++i)
+        if (auto text = array->get(i)->value_exact<std::string>()) texts.push_back(std::move(*text));
+    if (array && texts.size() == array->size() && texts.size() >= least && texts.size() <= most) return texts;
+    blame(key, fmt::format("is not a list of {} to {} strings in quotes", least, most));
+    return std::nullopt;
+}
+
 std::optional<std::vector<glm::dvec2>> TomlTable::places(std::string_view key, std::size_t least,
                                                          std::size_t most) {
     const toml::node* node = find(key);
@@ -184,6 +197,11 @@ std::vector<std::string> TomlTable::keys() const {
     std::vector<std::string> all;
     for (const auto& [key, node] : *table_) all.emplace_back(key.str());
     return all;
+}
+
+int TomlTable::line_of(std::string_view key) const {
+    const toml::node* const node = key.empty() ? table_ : table_->get(key);
+    return static_cast<int>((node ? node : table_)->source().begin.line);
 }
 
 void TomlTable::blame(std::string_view key, const std::string& fact) {

@@ -39,6 +39,8 @@ class TomlTable {
     std::optional<bool> truth(std::string_view key);  // true or false
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count);
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t least, std::size_t most);
+    // A list of `least` to `most` strings.
+    std::optional<std::vector<std::string>> texts(std::string_view key, std::size_t least, std::size_t most);
     // A list of `least` to `most` places [x, y], each coordinate within ±kFarthestPlace metres.
     std::optional<std::vector<glm::dvec2>> places(std::string_view key, std::size_t least, std::size_t most);
     std::optional<glm::dvec2> place(std::string_view key);
@@ -51,6 +53,8 @@ class TomlTable {
     bool is_text(std::string_view key) const;
     bool is_list(std::string_view key) const;
     std::vector<std::string> keys() const;
+    int line() const { return line_of({}); }  // of the file, 1 the first
+    int line_of(std::string_view key) const;  // of the table itself, if there is no such key
 
     // Reports that `key` (or the table itself, if empty) is wrong.
     void blame(std::string_view key, const std::string& fact);

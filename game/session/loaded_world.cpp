@@ -10,6 +10,7 @@
 #include "game/files/text_file.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/goal_reach.h"
+#include "game/words/words.h"
 #include "terrains/geojson.h"
 
 namespace game {
@@ -107,8 +108,39 @@ bool is_world(const Recording& recording) {
     return recording.end == 0 && recording.commands.empty();
 }
 
+Outcome<LoadedWorld> open_lesson(const std::string& name_or_path, const Overrides& overrides) {
+    const auto file = find_asset(AssetKind::kLesson, name_or_path);
+    if (!file) return tl::unexpected(file.error());
+    auto lesson = read_lesson(*file);
+    if (!lesson) return tl::unexpected(lesson.error());
+    const auto wrong = [&](int line, const std::string& fact) {
+        return unusable(fmt::format("{}:{}: {}", file->string(), line, fact));
+    };
+    auto loaded = open_recording(lesson->recording, overrides);
+    if (!loaded) return wrong(lesson->recording_line, "recording: " + loaded.error().sentence);
+    if (!loaded->watched) return wrong(lesson->recording_line, "recording has nothing to watch");
+    const Scenario& scenario = loaded->scene.scenario;
+    const double tick_s = static_cast<double>(scenario.params.tick_s), dx = scenario.grid.dx,
+                 end_s = static_cast<double>(loaded->watched->last_tick()) * tick_s;
+    const double east = (scenario.grid.nx - 1) * dx, north = (scenario.grid.ny - 1) * dx;
+    for (const Lesson::Stop& stop : lesson->stops) {
+        if (stop.time_s > end_s + tick_s / 2)
+            return wrong(stop.line, fmt::format("stop.time is {}, after the end of the recording at {:.2f} s",
+                                                stop.time_s, end_s));
+        if (stop.camera && (stop.camera->east > east || stop.camera->north > north))
+            return wrong(stop.line, fmt::format("stop.camera looks at a place outside the terrain of {:g} by "
+                                                "{:g} m",
+                                                east, north));
+    }
+    loaded->scene.files.push_back(*file);
+    loaded->told = loaded->watched->warning.value_or(said("Lesson: {}", tr(lesson->title.c_str())));
+    loaded->lesson = std::move(*lesson);
+    return loaded;
+}
+
 Outcome<LoadedWorld> open_anything(const std::string& name_or_path, const Overrides& overrides) {
     const fs::path path(name_or_path);
+    if (path.extension() == ".toml" && is_lesson(path)) return open_lesson(name_or_path, overrides);
     if (path.extension() == ".couloir") return open_recording(path, overrides);
     std::error_code error;
     const bool is_raster =

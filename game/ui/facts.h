@@ -12,6 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "game/analysis/best_runs.h"
+#include "game/analysis/lesson_figures.h"
 #include "game/analysis/slide_history.h"
 #include "game/analysis/slide_parts.h"
 #include "game/controls/brush.h"
@@ -43,7 +44,7 @@ struct Timeline {
 
 // A moment on the timeline that one can jump to.
 struct TimeMark {
-    enum class Kind : std::uint8_t { kAction, kHit };
+    enum class Kind : std::uint8_t { kAction, kHit, kStop };
     std::int64_t tick = 0;
     Kind kind = Kind::kAction;
     const char* word = "";  // a literal
@@ -166,6 +167,23 @@ struct PhotoNote {
     double focus_m = 0;                // how far away is what is sharp, if not all is
 };
 
+// A stop of a lesson, whose card is open.
+struct LessonNote {
+    const char* title;
+    const Lesson::Stop& stop;
+    const LessonFigures& figures;
+    std::size_t number = 1, stops = 1;       // which of them it is
+    std::optional<std::size_t> answer = {};  // that was given
+    bool has_guess = false;                  // a place was clicked at, at this stop or before
+    bool tells_guess = false;                // the last stop says how far off that was
+    std::optional<double> guess_off = {};    // m
+};
+// A place of a lesson on the terrain.
+struct LessonMark {
+    glm::dvec2 at{0};      // px from the top left
+    bool is_guess = true;  // else where the front stopped
+};
+
 // Where a part of the slide is on the screen.
 struct SlideLabel {
     SlideParts::Part part = SlideParts::Part::kCrown;
@@ -202,7 +220,9 @@ struct Facts {
     const SlideHistory* history = nullptr;    // the same
     std::span<const HouseMark> houses = {};   // the same
     std::span<const SlideLabel> slide_labels = {};
-    std::optional<Compass> compass = {};      // none: labels are off
+    std::optional<Compass> compass = {};    // none: labels are off
+    std::optional<LessonNote> lesson = {};  // none: no card of a lesson is open
+    std::span<const LessonMark> lesson_marks = {};
     std::span<const BestRun> best_runs = {};  // of the challenge, the best first
     std::size_t actions_to_undo = 0, actions_to_redo = 0;
     std::optional<Reading> under_cursor;
@@ -214,9 +234,10 @@ struct Facts {
     Keys keys;                         // and their names
     const Gamepad* gamepad = nullptr;  // none: there is none
     Timeline timeline;
-    std::span<const TimeMark> time_marks = {};                             // by tick
-    bool skips = false;                                                    // to the end of the slide
-    bool looks_back() const { return state.tick < timeline.known_until; }  // read-only
+    std::span<const TimeMark> time_marks = {};  // by tick
+    bool skips = false;                         // to the end of the slide
+    bool in_lesson = false;                     // read-only to its end
+    bool looks_back() const { return state.tick < timeline.known_until || in_lesson; }  // read-only
     bool is_bare() const {
         return game::is_bare(scenario, state) && !scenario.goal && !looks_back() && !timeline.watches;
     }

@@ -46,12 +46,17 @@ void shade(Desk& desk, float column) {
 }
 
 // Of the cards; they are read when the menu is first seen.
-void ask_for_pictures(Desk& desk, const std::vector<Catalogue::Entry>& scenes) {
+void ask_for_pictures(Desk& desk, const Catalogue& catalogue) {
+    const auto &scenes = catalogue.scenes, &lessons = catalogue.lessons;
     std::vector<ScenePictures::Source> sources;
-    sources.reserve(scenes.size());
+    sources.reserve(scenes.size() + lessons.size());
     for (const Catalogue::Entry& scene : scenes) {
         std::filesystem::path file = scene.file;
         sources.push_back({scene.name, file.replace_extension(".jpg")});
+    }
+    for (const Catalogue::Entry& lesson : lessons) {
+        std::filesystem::path file = lesson.file;
+        sources.push_back({lesson.file.native(), file.replace_extension(".jpg")});
     }
     desk.pictures.show(std::move(sources));
 }
@@ -164,7 +169,7 @@ void page_window(Desk& desk, const Facts& facts, float left, Actions& actions) {
 }  // namespace
 
 void menu(Desk& desk, const Facts& facts, Actions& actions) {
-    ask_for_pictures(desk, facts.catalogue.scenes);
+    ask_for_pictures(desk, facts.catalogue);
     const float em = desk.em(), margin = desk.margin(), left = 2 * margin;
     const bool at_start = desk.menu.page == Menu::Page::kStart, narrow = desk.size.x < kNarrowMenu * em;
     const float width = std::min(kMenuColumn * em, desk.size.x - 2 * left);

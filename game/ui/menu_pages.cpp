@@ -15,7 +15,18 @@ namespace {
 constexpr std::array kDifficulties{"", "easy", "medium", "hard", "very hard"};
 constexpr const char* kStarts = "Starts this scene; the current session stays in its recording.";
 
+constexpr const char* kBeginsLesson =
+    "Begins this lesson: a slide that halts where there is something to see.";
+
 using Kind = Catalogue::Kind;
+
+// The lesson whose card was clicked last; null: none.
+const Catalogue::Entry* chosen_lesson(const Desk& desk, const Facts& facts) {
+    const auto& lessons = facts.catalogue.lessons;
+    const auto found = std::ranges::find(lessons, desk.menu.chosen,
+                                         [](const Catalogue::Entry& lesson) { return lesson.file.native(); });
+    return found == lessons.end() ? nullptr : &*found;
+}
 
 // The scene whose card is chosen: the one clicked last, else the open one, else the first of the kinds that is not won yet.
 const Catalogue::Entry* chosen_of(const Desk& desk, const Facts& facts, std::span<const Kind> kinds) {
@@ -66,6 +77,18 @@ void cards(Desk& desk, const char* heading, Kind kind, const Catalogue::Entry* c
     }
 }
 
+void lesson_cards(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts) {
+    if (facts.catalogue.lessons.empty()) return;
+    desk.widgets.heading("Lessons");
+    CardGrid grid(desk, CardGrid::kTitle);
+    for (const Catalogue::Entry& lesson : facts.catalogue.lessons) {
+        grid.next();
+        Widgets::Card card{.label = lesson.title.c_str()};
+        put_on(card, desk.pictures.of(lesson.file.native()));
+        if (desk.widgets.card(card, grid.size(), &lesson == chosen)) desk.menu.chosen = lesson.file.native();
+    }
+}
+
 // What a person should know of a challenge before it begins.
 void facts_of_challenge(Desk& desk, const Catalogue::Entry& entry, const Facts& facts) {
     std::array<char, 160> text;
@@ -85,7 +108,9 @@ void facts_of_challenge(Desk& desk, const Catalogue::Entry& entry, const Facts& 
 void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actions& actions) {
     if (!chosen) return;
     const Catalogue::Entry& entry = *chosen;
-    picture_and_title(desk, picture_of_scene(desk, entry), entry.title.c_str());
+    const bool is_lesson = entry.kind == Kind::kLesson;
+    picture_and_title(desk, is_lesson ? desk.pictures.of(entry.file.native()) : picture_of_scene(desk, entry),
+                      entry.title.c_str());
     std::array<char, 512> text;
     if (!entry.about.empty())
         desk.widgets.plain("%s", write_with_volumes(text, tr(std::string_view(entry.about))));
@@ -99,8 +124,9 @@ void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actio
     if (other) desk.widgets.plain("Opens with gold in “%s”.", tr(other->title.c_str()));
     ImGui::Dummy({0, desk.em() * 0.3f});
     ImGui::BeginDisabled(other != nullptr);
-    if (desk.widgets.button("Start", kStarts, true, ImGui::GetContentRegionAvail().x))
-        actions.emplace_back(Open{entry.name, {}});
+    if (desk.widgets.button("Start", is_lesson ? kBeginsLesson : kStarts, true,
+                            ImGui::GetContentRegionAvail().x))
+        actions.emplace_back(Open{is_lesson ? entry.file.string() : entry.name, {}});
     ImGui::EndDisabled();
 }
 
@@ -170,11 +196,13 @@ void challenges_page(Desk& desk, const Facts& facts, Actions& actions) {
 
 void free_play_page(Desk& desk, const Facts& facts, Actions& actions) {
     constexpr std::array kKinds{Kind::kMountain, Kind::kFlowDemo};
-    const Catalogue::Entry* const chosen = chosen_of(desk, facts, kKinds);
+    const Catalogue::Entry* const lesson = chosen_lesson(desk, facts);
+    const Catalogue::Entry* const chosen = lesson ? lesson : chosen_of(desk, facts, kKinds);
     cards_and_choice(
         desk,
         [&] {
             cards(desk, nullptr, Kind::kMountain, chosen, facts);
+            lesson_cards(desk, chosen, facts);
             cards(desk, "Flow demos: the figures of the paper", Kind::kFlowDemo, chosen, facts);
         },
         [&] { about(desk, chosen, facts, actions); });

@@ -87,8 +87,9 @@ struct Desk {
     double usual_em = 16;                        // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
-    float card_without_map = 0;  // height of the result card, as if it had no map
-    float readings_height = 0;   // kept while the cursor is off the terrain, so that panels do not move
+    float card_without_map = 0;               // height of the result card, as if it had no map
+    float lesson_text = 0, lesson_below = 0;  // heights in the card of a lesson, as last drawn
+    float readings_height = 0;  // kept while the cursor is off the terrain, so that panels do not move
     float left_column = 0, right_column = 0;  // width with margin; 0 if none of its panels is open
 
     float em() const { return widgets.em; }
@@ -117,6 +118,7 @@ void photo_bar(Desk& desk, const Facts& facts, Actions& actions);  // instead of
 void menu(Desk& desk, const Facts& facts, Actions& actions);       // instead of all others, while it is open
 void guide(Desk& desk, const Facts& facts, Actions& actions);
 void result_card(Desk& desk, const Facts& facts, Actions& actions);
+void lesson_card(Desk& desk, const Facts& facts, Actions& actions);
 
 // The contents of each panel; open_panels() draws those that are open.
 void scene_panel(Desk& desk, const Facts& facts, Actions& actions);

@@ -141,7 +141,7 @@ void moment(Desk& desk, const Facts& facts) {
     if (facts.clock.behind()) desk.widgets.tooltip("The computer cannot keep up with the chosen speed.");
 }
 
-// Marks over the bar: a triangle where something was done, a diamond where something was hit. Returns the one under the
+// Marks over the bar: a triangle where something was done, a diamond where something was hit, a dot at a stop of a lesson. Returns the one under the
 // cursor.
 const TimeMark* marks_over(Desk& desk, const Facts& facts, ImVec2 corner, float width, double known) {
     const float em = desk.em(), reach = em * 0.4f, top = corner.y - em * 0.12f, size = em * 0.26f;
@@ -152,7 +152,9 @@ const TimeMark* marks_over(Desk& desk, const Facts& facts, ImVec2 corner, float 
         const float x = corner.x + width * static_cast<float>(static_cast<double>(mark.tick) / known);
         const bool on = ImGui::IsItemHovered() && std::abs(mouse.x - x) < reach;
         if (on) under = &mark;
-        if (mark.kind == TimeMark::Kind::kHit)
+        if (mark.kind == TimeMark::Kind::kStop)
+            list.AddCircleFilled({x, top}, size, on ? palette().text : kAccent);
+        else if (mark.kind == TimeMark::Kind::kHit)
             list.AddQuadFilled({x, top - size}, {x + size, top}, {x, top + size}, {x - size, top}, kDanger);
         else
             list.AddTriangleFilled({x - size, top - size}, {x + size, top - size}, {x, top + size},

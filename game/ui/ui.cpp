@@ -226,6 +226,7 @@ void Ui::build(const Facts& facts, Actions& actions) {
         readings(desk, facts);
         open_panels(desk, facts, actions);
         result_card(desk, facts, actions);
+        lesson_card(desk, facts, actions);
     }
     pad_wheel(desk, facts);
     notices(desk, facts, facts.opening_s || (desk.panels.hidden() && !facts.photo));

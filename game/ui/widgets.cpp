@@ -209,6 +209,19 @@ bool Widgets::button(const char* label, const char* text, bool on, float width) 
     return pressed;
 }
 
+bool Widgets::long_button(const char* label, bool on) {
+    const char* const words = tr(label);
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float width = ImGui::GetContentRegionAvail().x, room = width - 2 * padding.x;
+    const float height = ImGui::CalcTextSize(words, nullptr, false, room).y;
+    const bool pressed = plate(label, {width, height + 2 * padding.y}, on);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {from.x + padding.x, from.y + padding.y},
+                 alive(colour_on_plate(on)), words, nullptr, room);
+    return pressed;
+}
+
 bool Widgets::icon_button(const char* label, Icon icon, const char* text, bool on) {
     const float side = ImGui::GetFrameHeight();
     const bool pressed = plate(label, {side * 1.2f, side}, on);

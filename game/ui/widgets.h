@@ -86,6 +86,8 @@ class Widgets {
     }
 
     bool button(const char* label, const char* tooltip, bool on = false, float width = 0);
+    // As wide as there is room, with a label that wraps.
+    bool long_button(const char* label, bool on = false);
     bool icon_button(const char* label, Icon icon, const char* tooltip, bool on = false);
     // An icon, a word and a key; without the word if `narrow`, without the key if it is empty. `width`: px, at least
     // that of tool_button_width().

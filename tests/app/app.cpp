@@ -14,6 +14,7 @@
 #include "game/analysis/headless.h"
 #include "game/commands/runs_of_ensemble.h"
 #include "game/ensemble/ensemble.h"
+#include "game/files/assets.h"
 #include "game/files/text_file.h"
 #include "game/recording/format.h"
 #include "game/recording/recording_file.h"
@@ -1305,6 +1306,91 @@ TEST_F(Playing, makes_a_challenge_of_a_slide_that_can_be_watched_and_then_tried)
     click("Try again");
     EXPECT_FALSE(app_->sandbox().watches());
     EXPECT_TRUE(app_->sandbox().scenario().goal);
+}
+
+// Over the shipped recording, with two stops at its beginning and one at its end.
+TEST_F(Playing, gives_a_lesson_that_halts_at_each_stop_and_never_touches_the_world) {
+    const auto shipped = find_asset(AssetKind::kLesson, "where-will-it-stop");
+    ASSERT_TRUE(shipped);
+    std::filesystem::copy_file(std::filesystem::path(*shipped).replace_extension(".couloir"),
+                               folder_.path() / "short.couloir");
+    const auto file = folder_.path() / "short.toml";
+    std::ofstream(file) << R"(title = "A trial"
+recording = "short.couloir"
+[[stop]]
+time = 0
+heading = "Begin"
+text = "Look."
+question = "Where?"
+answers = ["Here", "There"]
+right = 2
+why = "So it is."
+[[stop]]
+time = 0.1
+heading = "Go"
+text = "Guess."
+guess = "runout"
+[[stop]]
+time = 56
+heading = "End"
+text = "It ran {runout}."
+)";
+    auto loaded = open_lesson(file.string(), {});
+    ASSERT_TRUE(loaded) << loaded.error().sentence;
+    const std::int64_t end = loaded->watched->last_tick();
+    auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{}, std::nullopt, tier_);
+    ASSERT_TRUE(begun) << begun.error().sentence;
+    app_ = std::move(*begun);
+    screen_.resize_to(960, 540);
+    frames(4);
+    EXPECT_EQ(state().tick, 0);
+    EXPECT_TRUE(app_->clock().paused());
+    ASSERT_TRUE(shows("Question"));
+    click("There");
+    frames(2);
+    EXPECT_TRUE(shows("Verdict"));
+    EXPECT_EQ(app_->lesson()->note()->answer, 1u);
+    stroke(1);
+    EXPECT_FALSE(app_->lesson()->guessed()) << "none is asked";
+    click("Go on");
+    EXPECT_FALSE(shows("Lesson"));
+    frames(12);
+    EXPECT_EQ(state().tick, 6);
+    ASSERT_TRUE(shows("Guess"));
+
+    // Time can be scrubbed meanwhile, and goes on from the stop.
+    tap(Key::kComma), tap(Key::kComma);
+    frames(3);
+    EXPECT_EQ(state().tick, 4);
+    EXPECT_TRUE(shows("Guess"));
+    stroke(1);
+    ASSERT_TRUE(app_->lesson()->guessed());
+    EXPECT_TRUE(shows("Your guess"));
+    tap(Key::kSpace);
+    frames(2);
+    EXPECT_FALSE(shows("Lesson"));
+    EXPECT_GE(state().tick, 6);
+    screen_.resize_to(160, 90);
+    tap(Key::kEnd);
+    for (int i = 0; i < 600 && state().tick < end; ++i) frames(1);
+    screen_.resize_to(960, 540);
+    frames(6);
+    EXPECT_EQ(state().tick, end);
+    EXPECT_TRUE(app_->sandbox().watches()) << "it is not taken over by itself";
+    EXPECT_TRUE(shows("Guess"));
+    ASSERT_TRUE(app_->lesson()->note()->guess_off);
+    EXPECT_GT(*app_->lesson()->note()->guess_off, 0);
+    stroke(1);
+    EXPECT_FALSE(app_->sandbox().was_touched()) << "read-only to its end";
+
+    click("Start again");
+    frames(4);
+    EXPECT_EQ(state().tick, 0);
+    EXPECT_TRUE(shows("Question"));
+    EXPECT_FALSE(app_->lesson()->guessed());
+    tap(Key::kEnter);
+    EXPECT_FALSE(app_->sandbox().watches());
+    EXPECT_FALSE(app_->lesson());
 }
 
 class FirstMinute : public Playing {

@@ -17,7 +17,8 @@ TEST(Catalogue, has_everything_that_ships_with_a_title_and_a_file_that_opens) {
     ASSERT_TRUE(catalogue) << catalogue.error().sentence;
     for (const auto& [kind, entries] : {std::pair{AssetKind::kScene, &catalogue->scenes},
                                         std::pair{AssetKind::kMaterial, &catalogue->materials},
-                                        std::pair{AssetKind::kRecording, &catalogue->recordings}}) {
+                                        std::pair{AssetKind::kRecording, &catalogue->recordings},
+                                        std::pair{AssetKind::kLesson, &catalogue->lessons}}) {
         std::vector<std::string> names;
         for (const Catalogue::Entry& entry : *entries) {
             names.push_back(entry.name);

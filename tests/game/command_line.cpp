@@ -208,13 +208,30 @@ TEST(CommandLine, lists_what_ships_for_people_and_as_json) {
     EXPECT_NE(text.out.find("winter-avalanche       An avalanche"), std::string::npos) << text.out;
     EXPECT_EQ(text.status, 0);
     const Json json = Json::parse(couloir({"list", "--json"}).out);
-    for (const char* shelf : {"scenes", "materials", "recordings", "terrains"}) {
+    for (const char* shelf : {"scenes", "materials", "recordings", "lessons", "terrains"}) {
         ASSERT_TRUE(json[shelf].is_array()) << shelf;
         for (const Json& each : json[shelf])
             EXPECT_NE(text.out.find(each["name"].get<std::string>()), std::string::npos) << shelf;
     }
     EXPECT_GE(json["scenes"].size(), 2u);
     EXPECT_GE(json["materials"].size(), 3u);
+}
+
+// Before a window opens.
+TEST(CommandLine, refuses_a_lesson_that_it_cannot_give) {
+    const support::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "broken.toml";
+    write_bytes(file, "title = \"A\"\nrecording = \"none.couloir\"\n");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"play", "--lesson", file.string()},
+          {"play", "--lesson", "no-such-lesson"},
+          {"play", "winter-valley", "--lesson", "where-will-it-stop"}}) {
+        const Finished finished = couloir(arguments);
+        EXPECT_EQ(finished.status, 2) << arguments[0];
+        EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+    }
+    EXPECT_NE(couloir({"play", "--lesson", file.string()}).err.find("broken.toml:1: stop"),
+              std::string::npos);
 }
 
 TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {

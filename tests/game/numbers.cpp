@@ -117,6 +117,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"LIST", {}},
     {"EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE", {}},  // five ranges: Viewpoint.is_five_numbers_in_their_ranges
     {"FILE", {}},
+    {"LESSON", {}},
     {"DIR", {}},
     {"DEM", {}},
     {"FILE.couloir", {}},

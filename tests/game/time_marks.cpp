@@ -1,6 +1,7 @@
 #include "game/app/time_marks.h"
 
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +92,14 @@ TEST(TimeMarks, are_bounded) {
     TimeMarks marks;
     marks.begin(known);
     EXPECT_EQ(marks.all().size(), TimeMarks::kMost);
+}
+
+TEST(TimeMarks, are_at_the_stops_of_a_lesson) {
+    TimeMarks marks;
+    const std::array<std::int64_t, 2> stops{30, 900};
+    marks.begin({}, stops);
+    EXPECT_EQ(ticks_of(marks, Kind::kStop), (std::vector<std::int64_t>{30, 900}));
+    EXPECT_EQ(marks.after(30), 900);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 std::vector<std::string> seeds(const TriedReader& reader) {
     if (reader.name == "scene") return shipped(AssetKind::kScene);
     if (reader.name == "material") return shipped(AssetKind::kMaterial);
+    if (reader.name == "lesson") return shipped(AssetKind::kLesson);
     std::vector<std::string> all;
     for (const auto& file : files_in(support::source_dir() / "tests/fuzz/seeds" / reader.name))
         all.push_back(read_bytes(file));
@@ -108,7 +109,7 @@ TEST_P(EveryReader, accepts_or_refuses_in_one_line_changed_files) {
 INSTANTIATE_TEST_SUITE_P(All, EveryReader,
                          testing::Values(kTriedScene, kTriedMaterial, kTriedObj, kTriedNpy, kTriedGeojson,
                                          kTriedDem, kTriedPicture, kTriedEnsemble, kTriedJournal, kTriedLive,
-                                         kTriedCameraPath),
+                                         kTriedCameraPath, kTriedLesson),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

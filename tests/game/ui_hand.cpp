@@ -41,6 +41,8 @@ ui::Facts UiHand::facts() const {
             .history = history_,
             .slide_labels = slide_labels_,
             .compass = compass_,
+            .lesson = lesson_,
+            .lesson_marks = lesson_marks_,
             .best_runs = best_runs_,
             .actions_to_undo = actions_to_undo_,
             .actions_to_redo = actions_to_redo_,

@@ -64,6 +64,8 @@ class UiHand : public testing::Test {
     std::vector<BestRun> best_runs_;
     std::optional<ui::ResultCard> card_;
     std::optional<GoalUse> goal_use_;
+    std::optional<ui::LessonNote> lesson_;
+    std::vector<ui::LessonMark> lesson_marks_;
     std::optional<ui::Ui> ui_;
 };
 

@@ -39,6 +39,17 @@ class UiLanguages : public UiHand {
             look("result card");
             card_.reset();
         }
+        Lesson::Stop stop;
+        stop.heading = stop.text = "A text";
+        stop.asks_guess = true;
+        const LessonFigures figures;
+        for (const std::size_t number : {1, 2}) {
+            lesson_.emplace(ui::LessonNote{
+                .title = "A lesson", .stop = stop, .figures = figures, .number = number, .stops = 2});
+            lesson_->tells_guess = number == 2;
+            look("card of a lesson");
+        }
+        lesson_.reset();
         for (const bool plainly : {true, false}) {
             speak_plainly(plainly);
             under_cursor_.emplace();

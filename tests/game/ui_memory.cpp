@@ -63,6 +63,12 @@ TEST_F(UiMemory, asks_for_none_in_a_frame_with_all_panels_open) {
     display_.overlay = render::Overlay::kSlope;
     actions_to_undo_ = 3;
     state_.params.start_slope *= 1.1f;
+    Lesson::Stop stop;
+    stop.heading = "A stop", stop.text = "{speed} {volume} {pressure}";
+    const LessonFigures figures;
+    lesson_.emplace(
+        ui::LessonNote{.title = "A lesson", .stop = stop, .figures = figures, .number = 1, .stops = 2});
+    lesson_marks_ = {{{400, 300}, false}, {{500, 350}, true}};
     settle(30);
 
     const ui::Facts facts = this->facts();

@@ -241,5 +241,15 @@ TEST_F(UiMenu, has_every_page_on_a_small_screen_and_with_large_letters) {
     }
 }
 
+TEST_F(UiMenu, begins_a_lesson_from_its_card_in_free_play) {
+    open_page("Free play");
+    EXPECT_FALSE(ui_->find("A lesson"));
+    catalogue_.lessons = {{"trial", "A lesson", "/lessons/trial.toml", Catalogue::Kind::kLesson}};
+    settle();
+    EXPECT_TRUE(click("A lesson").empty());
+    settle();
+    EXPECT_EQ(only<Open>(click("Start")).name_or_path, "/lessons/trial.toml");
+}
+
 }  // namespace
 }  // namespace game::test

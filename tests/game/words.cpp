@@ -23,6 +23,7 @@
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
 #include "game/scene/goal.h"
+#include "game/scene/lesson.h"
 #include "game/sound/waves.h"
 #include "game/words/language.h"
 #include "game/words/plain.h"
@@ -182,6 +183,18 @@ void add_assets(Messages& messages) {
             for (const char* key : {"say", "learn"})
                 add(messages, (*file)["goal"][key].value_or(std::string()), entry.path().filename());
         }
+    const auto lessons = asset_names(AssetKind::kLesson);
+    ASSERT_TRUE(lessons);
+    for (const std::string& name : *lessons) {
+        const Lesson lesson = read_lesson(find_asset(AssetKind::kLesson, name).value()).value();
+        add(messages, lesson.title, name), add(messages, lesson.about, name);
+        for (const Lesson::Stop& stop : lesson.stops) {
+            add(messages, stop.heading, name), add(messages, stop.text, name);
+            if (!stop.question) continue;
+            add(messages, stop.question->asks, name), add(messages, stop.question->why, name);
+            for (const std::string& answer : stop.question->answers) add(messages, answer, name);
+        }
+    }
     const auto catalogue = read_catalogue();
     ASSERT_TRUE(catalogue);
     for (const Catalogue::Entry& recording : catalogue->recordings)
