@@ -165,6 +165,7 @@ class Hands {
         else if (key === '-' || key === '−') camera.zoom(1 / kNearer);
         else if (key === 'v' || key === 'V') camera.goHome();
         else if (key === 'r' || key === 'R') page.readMiddle();
+        else if (key === 'g' || key === 'G') page.guessMiddle();
         else if (key === '?') part('keys').showModal();
         else if (key === 'Escape') page.mark(null);
         else return false;

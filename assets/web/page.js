@@ -26,6 +26,7 @@ class Page {
         this.touched = false;  // whether somebody has chosen a time
         this.rate = this.seconds(this.info.last) > kLong ? 2 : 1;
         this.live = this.info.live && runsModules() ? new Live(this) : null;
+        this.lesson = this.info.lesson ? new Lesson(this) : null;
         this.hands = new Hands(this);
     }
 
@@ -60,7 +61,9 @@ class Page {
             this.canvas.height = height;
         }
         ++this.frames;
-        this.picture.draw({view: this.view(), overlay: this.overlay, cursor: this.ring(), scale: this.scale});
+        const view = this.view();
+        this.picture.draw({view, overlay: this.overlay, cursor: this.ring(), scale: this.scale});
+        this.lesson?.showPins(view);
     }
 
     // The ring that is drawn: of the brush, or around the marked point.
@@ -138,8 +141,9 @@ class Page {
     // ---- time ----
 
     advance(elapsed) {
-        this.slide.seek(this.slide.tick + elapsed / 1000 / this.info.tick_s * this.rate);
-        if (this.slide.tick >= this.info.last) this.play(false);
+        const end = Math.min(this.info.last, this.lesson?.haltAfter(this.slide.tick) ?? Infinity);
+        this.slide.seek(Math.min(this.slide.tick + elapsed / 1000 / this.info.tick_s * this.rate, end));
+        if (this.slide.tick >= end) this.play(false);
         this.showTime();
     }
 
@@ -164,7 +168,8 @@ class Page {
     play(on) {
         if (this.live?.on) return this.live.pause(!on);
         if (on === this.playing) return;
-        if (on && (!this.touched || this.slide.tick >= this.info.last)) this.seek(0);
+        if (on && this.lesson?.isOpen) this.lesson.leave();
+        else if (on && (!this.touched || this.slide.tick >= this.info.last)) this.seek(0);
         this.playing = on;
         part('welcome').hidden = true;
         part('play').classList.toggle('on', on);
@@ -186,6 +191,8 @@ class Page {
         scrub.setAttribute('aria-valuetext', `${now} seconds of ${number(this.seconds(last), 1)}`);
         part('track').style.setProperty('--played', share);
         this.clock.textContent = `${now} s`;
+        if (this.live?.on && this.lesson?.isOpen) this.lesson.close();
+        else if (!this.live?.on) this.lesson?.see(tick, this.playing);
         this.showPoint();
     }
 
@@ -231,6 +238,7 @@ class Page {
 
     // A mouse takes a mark away with its next click; a finger moves it.
     markAt(place, isMouse) {
+        if (this.lesson?.asksGuess) return this.lesson.guessAt(this.pick(...place));
         this.mark(this.pin && isMouse ? null : this.pick(...place));
     }
 
@@ -243,6 +251,13 @@ class Page {
     showPoint() {
         const point = this.pin ?? this.hover;
         showReading(this.info, point && this.slide.read(point.x, point.y));
+    }
+
+    // By keys alone.
+    guessMiddle() {
+        if (!this.lesson?.asksGuess) return;
+        this.lesson.guessAt(this.pick(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2));
+        say(part('lesson-guess').textContent);
     }
 
     readMiddle() {
@@ -326,8 +341,13 @@ class Page {
         return true;
     }
 
-    // A moment at which much moves, until somebody plays or chooses.
+    // A moment at which much moves, until somebody plays or chooses; a lesson begins at its beginning.
     seekOpening() {
+        if (this.lesson) {
+            part('welcome').hidden = false;
+            this.slide.seek(0);
+            return this.showTime();
+        }
         const {volume} = this.info, most = volume.reduce((best, v, i) => v > volume[best] ? i : best, 0);
         this.seek(this.slide.tickOf(Math.round(0.8 * most)));
         this.touched = false;

@@ -15,7 +15,12 @@ Outcome<int> share(const ShareOptions& options) {
     Overrides overrides;
     overrides.memory = options.memory;
     overrides.memory.use.page = true;
-    auto opened = open_anything(options.world, overrides);
+    if (options.lesson.has_value() != options.world.empty())
+        return unusable(
+            "share takes either a world or --lesson, which has its own recording: couloir share --lesson "
+            "NAME --out page.html");
+    auto opened =
+        options.lesson ? open_lesson(*options.lesson, overrides) : open_anything(options.world, overrides);
     if (!opened) return tl::unexpected(opened.error());
     Scenario& scenario = opened->scene.scenario;
     if (options.view)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 #include "game/session/session.h"
+#include "game/share/page_lesson.h"
 
 namespace game {
 
@@ -69,19 +71,25 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     auto slide = SlidePage::begin(scenario, *session, proof_of(recording), options);
     if (!slide) return tl::unexpected(slide.error());
 
-    // It ends with its slide, whatever was recorded of the time after that; a try has its own end.
+    // It ends with its slide, whatever was recorded of the time after that; a try has its own end, and a lesson its last stop.
     const std::int64_t last = read->last_tick();
     Until until = Until::after(last);
-    if (!scenario.goal) until.rest = Until::Rest::kEnergy;
+    if (!scenario.goal && !options.lesson) until.rest = Until::Rest::kEnergy;
+    std::optional<PageLesson> lesson;
+    if (options.lesson)
+        lesson.emplace(*options.lesson, static_cast<double>(scenario.params.tick_s), read->commands);
+    if (lesson) lesson->see(scenario, *session);
     Watchers watchers;
     watchers.keep = [&](const Session& now) -> Outcome<void> {
         if (stop && stop->load())
             return machine_fails(fmt::format("{}: stopped before its end", page.string()));
         if (progress) progress->store(static_cast<float>(now.state().tick) / static_cast<float>(last));
+        if (lesson) lesson->see(scenario, now);
         return slide->see(now);
     };
     if (const auto ended = play_headless(*session, read->commands, until, watchers, ""); !ended)
         return tl::unexpected(ended.error());
+    if (lesson) slide->set_lesson(lesson->json());
     return slide->write(page, *session, read->commands).map([&](const PageReport& report) {
         return with(report, notices);
     });
@@ -89,6 +97,7 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
 
 Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
                                          PageOptions options) {
+    if (world.lesson) options.lesson = &*world.lesson;
     if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
     const Scenario& scenario = world.scene.scenario;
     std::vector<std::string> notices;

@@ -52,10 +52,11 @@ constexpr std::size_t kBytesAtOnce = std::size_t{4} << 20;    // kept in memory 
 constexpr int kWidth = 1280, kHeight = 720;  // of the picture whose uniforms the page begins with
 
 // The program of the page, in the order in which it is joined.
-constexpr std::array kScripts{
-    "fields.js",      "camera.js", "gpu.js",        "frame_block.js", "shaders.js", "small_relief.js",
-    "slide_tiles.js", "trees.js",  "debris.js",     "powder.js",      "cloud.js",   "scenery.js",
-    "draw.js",        "words.js",  "resolution.js", "hands.js",       "live.js",    "page.js"};
+constexpr std::array kScripts{"fields.js",  "camera.js",       "gpu.js",         "frame_block.js",
+                              "shaders.js", "small_relief.js", "slide_tiles.js", "trees.js",
+                              "debris.js",  "powder.js",       "cloud.js",       "scenery.js",
+                              "draw.js",    "words.js",        "resolution.js",  "hands.js",
+                              "live.js",    "lesson.js",       "page.js"};
 constexpr const char* kModule = "couloir.wasm";  // and the program of the thread that it runs in
 constexpr const char* kWorker = "live_worker.js";
 
@@ -356,6 +357,7 @@ struct SlidePage::Parts {
     std::int64_t frames = 0, last_tick = 0;
     std::vector<double> volumes;  // m³ that move, by frame
     double ground_quantum = 0;
+    Json lesson;                    // null: none
     std::vector<StateLine> states;  // of the recording of a page that plays
     InOrder packing;                // last, because its thread uses the others
 
@@ -425,6 +427,9 @@ struct SlidePage::Parts {
     Outcome<void> add_frame(const Moment& moment);
     Outcome<void> flush();
     std::uint64_t bytes_so_far() const;
+    std::string title() const {
+        return lesson.is_null() ? scenario.title : lesson["title"].get<std::string>();
+    }
     Json info(const Session& session, std::span<const TimedCommand> commands) const;
     Outcome<std::string> recording(std::span<const TimedCommand> commands) const;
     Outcome<std::pair<std::string, Json>> world(std::span<const TimedCommand> commands) const;
@@ -509,7 +514,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
     }
     Json json{{"format", kPageFormat},
               {"program", kProgram},
-              {"title", scenario.title},
+              {"title", title()},
               {"about",
                about(scenario, measures, static_cast<double>(last_tick) * shortest(scenario.params.tick_s))},
               {"scene", scenario.scene},
@@ -555,6 +560,7 @@ Json SlidePage::Parts::info(const Session& session, std::span<const TimedCommand
             json["goal"]["ghost_step"] = RunExtent::kStep;
         }
     }
+    if (!lesson.is_null()) json["lesson"] = lesson;
     if (scenario.lower) json["lower_material"] = scenario.lower->material;
     if (options.site_name) json["site"] = {{"index", "index.html"}, {"name", *options.site_name}};
     return json;
@@ -631,6 +637,10 @@ Outcome<void> SlidePage::see(const Session& session) {
     return parts_->give(session, [p = parts_.get()](const Moment& moment) { return p->add_frame(moment); });
 }
 
+void SlidePage::set_lesson(Json lesson) {
+    parts_->lesson = std::move(lesson);
+}
+
 Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& session,
                                      std::span<const TimedCommand> commands) {
     Parts& p = *parts_;
@@ -659,7 +669,7 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
     if (!world) return tl::unexpected(world.error());
     Json info = p.info(session, commands);
     info["live"] = world->second;
-    const std::string title = html_text(one_line(p.scenario.title)), slide = in_script(info);
+    const std::string title = html_text(one_line(p.title())), slide = in_script(info);
     const std::string frame = filled(p.files.frame, {{"@PROGRAM@", p.files.program}}),
                       scripts = names_of_scripts(frame);
     const std::string_view policy =

@@ -10,6 +10,7 @@
 
 #include "game/analysis/played_run.h"
 #include "game/base/outcome.h"
+#include "game/scene/lesson.h"
 #include "game/scene/scenario.h"
 #include "game/session/session.h"
 #include "render/view/camera.h"
@@ -24,7 +25,8 @@ struct PageOptions {
     bool plays = true;  // the page has the world itself, so that whoever opens it can take over
     std::shared_ptr<const PlayedRun> to_beat = nullptr;  // of a challenge: the run that the page asks to beat
     std::optional<std::string> site_name =
-        std::nullopt;  // of a page in a site: its name there; it leads back to the index
+        std::nullopt;                // of a page in a site: its name there; it leads back to the index
+    const Lesson* lesson = nullptr;  // of a recording: given in the page
 };
 
 struct PageReport {
@@ -52,6 +54,8 @@ class SlidePage {
     // Call after each tick. Keeps what is due. Errors (status 2): the page has become too large; a depth or a speed is
     // beyond what it keeps; ground is sculpted or a forest planted after tick 0.
     Outcome<void> see(const Session& session);
+    // The page gives this lesson, as PageLesson has it. Call before write().
+    void set_lesson(Json lesson);
     // Writes the page; the last state is in it. `commands`: all of the slide. Errors: as see(), or the file cannot be
     // written (status 3).
     Outcome<PageReport> write(const std::filesystem::path& file, const Session& session,

@@ -224,14 +224,19 @@ TEST(CommandLine, refuses_a_lesson_that_it_cannot_give) {
     write_bytes(file, "title = \"A\"\nrecording = \"none.couloir\"\n");
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"play", "--lesson", file.string()},
+          {"share", "--lesson", file.string(), "--out", (folder.path() / "page.html").string()},
           {"play", "--lesson", "no-such-lesson"},
-          {"play", "winter-valley", "--lesson", "where-will-it-stop"}}) {
+          {"play", "winter-valley", "--lesson", "where-will-it-stop"},
+          {"share", "--out", (folder.path() / "page.html").string()},
+          {"share", "landslide.couloir", "--lesson", "where-will-it-stop", "--out",
+           (folder.path() / "page.html").string()}}) {
         const Finished finished = couloir(arguments);
         EXPECT_EQ(finished.status, 2) << arguments[0];
         EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
     }
     EXPECT_NE(couloir({"play", "--lesson", file.string()}).err.find("broken.toml:1: stop"),
               std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "page.html"));
 }
 
 TEST(CommandLine, run_tells_the_same_as_json_on_screen_and_in_the_file) {

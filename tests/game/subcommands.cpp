@@ -116,6 +116,10 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
     const std::string recording = (folder / "a.couloir").string(), other = (folder / "b.couloir").string();
     const Scene loaded = load_scene(scene, {}).value();
     for (const std::string& each : {recording, other}) record(each, loaded.scenario, 18, loaded.commands);
+    const std::string lesson =
+        put("lesson.toml",
+            "title = \"A\"\nrecording = \"a.couloir\"\n[[stop]]\ntime = 0\nheading = \"A\"\ntext = "
+            "\"b\"\n[[stop]]\ntime = 0.2\nheading = \"A\"\ntext = \"b\"\n");
     const std::string then = put(
         "then.json",
         fmt::format(
@@ -186,6 +190,11 @@ std::vector<Subcommand> writing_subcommands(const fs::path& folder) {
         {.name = "share a recording",
          .arguments = {"share", recording},
          .inputs = {recording},
+         .outputs = {"--out"},
+         .needed = {"--out"}},
+        {.name = "share a lesson",
+         .arguments = {"share", "--lesson", lesson},
+         .inputs = {lesson, recording},
          .outputs = {"--out"},
          .needed = {"--out"}},
         {.name = "share a scene",
