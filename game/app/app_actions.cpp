@@ -511,8 +511,10 @@ void App::share(Outcome<std::string> recording) {
     const Scenario& scenario = sandbox_->scenario();
     if (const auto fits = memory.allows(scenario.grid, scenario.lower.has_value()); !fits)
         return warn(said("This slide cannot be shared: {}", fits.error()));
+    PageOptions options{.camera = camera()};
+    if (open_.lesson) options.lesson = std::make_shared<const Lesson>(*first_.lesson);
     const auto begun = std::move(recording).and_then([&](std::string&& recorded) {
-        return sharing_.begin(std::move(recorded), dated_name(scenario.scene), {.camera = camera()});
+        return sharing_.begin(std::move(recorded), dated_name(scenario.scene), options);
     });
     open_.results.set_may_share(false);
     if (!begun) warn(said("This slide cannot be shared: {}", begun.error().sentence));

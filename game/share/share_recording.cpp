@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -97,7 +98,7 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
 
 Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
                                          PageOptions options) {
-    if (world.lesson) options.lesson = &*world.lesson;
+    if (world.lesson) options.lesson = std::make_shared<const Lesson>(*world.lesson);
     if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
     const Scenario& scenario = world.scene.scenario;
     std::vector<std::string> notices;

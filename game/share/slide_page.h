@@ -25,8 +25,8 @@ struct PageOptions {
     bool plays = true;  // the page has the world itself, so that whoever opens it can take over
     std::shared_ptr<const PlayedRun> to_beat = nullptr;  // of a challenge: the run that the page asks to beat
     std::optional<std::string> site_name =
-        std::nullopt;                // of a page in a site: its name there; it leads back to the index
-    const Lesson* lesson = nullptr;  // of a recording: given in the page
+        std::nullopt;  // of a page in a site: its name there; it leads back to the index
+    std::shared_ptr<const Lesson> lesson = nullptr;  // of a recording: given in the page
 };
 
 struct PageReport {

@@ -2319,6 +2319,23 @@ TEST_F(Sending, shares_page_and_recording_and_opens_their_folder) {
     expect_recording_replays();
 }
 
+TEST_F(Sending, shares_a_lesson_as_a_page_that_gives_it) {
+    auto loaded = open_lesson("where-will-it-stop", {});
+    ASSERT_TRUE(loaded) << loaded.error().sentence;
+    auto begun = App::begin(screen_, std::move(*loaded), sim::StepOptions{}, std::nullopt, tier_);
+    ASSERT_TRUE(begun) << begun.error().sentence;
+    app_ = std::move(*begun);
+    frames(2);
+    tap(function_key(10));
+    EXPECT_TRUE(app_->is_sharing());
+    wait_until([&] { return !shared().empty() && std::filesystem::exists(shared()[0] / "slide.html"); });
+    wait_until_told("Shared: ");
+    ASSERT_EQ(shared().size(), 1u);
+    const auto page = read_text(shared()[0] / "slide.html");
+    ASSERT_TRUE(page);
+    EXPECT_NE(page->find("It ran 1528 m in plan"), std::string::npos);
+}
+
 TEST_F(Sending, shares_a_challenge_in_which_nothing_was_done_as_one_to_play) {
     begin("one-shovel", 40);
     tap(function_key(10));
