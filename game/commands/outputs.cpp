@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "game/analysis/export_results.h"
 #include "game/base/print.h"
+#include "game/base/process.h"
 #include "game/files/assets.h"
 #include "game/files/film.h"
 #include "game/files/text_file.h"
@@ -86,6 +89,7 @@ Outcome<void> Outputs::open_film(const Scenario& scenario, const Session& sessio
     if (!film) return tl::unexpected(film.error());
     film_.emplace(std::move(*film));
     filmed_ = commands;
+    note_interrupts();  // so that Ctrl+C leaves no part of the film
     if (!film_->notice().empty()) print_line(stderr, "couloir: {}", film_->notice());
     return {};
 }
@@ -106,6 +110,9 @@ Watchers Outputs::watch(const Scenario& scenario, Session& session, PerfSurround
         watchers.keep = [this](const Session& now) -> Outcome<void> {
             if (page_)
                 if (auto kept = page_->see(now); !kept) return kept;
+            if (film_ && interrupted())
+                return machine_fails(
+                    fmt::format("{}: stopped; nothing of the film is kept", options_->film.file->string()));
             return film_ ? film_->see(now, commands_of_tick(filmed_, now.state().tick - 1)) : Outcome<void>();
         };
     return watchers;

@@ -26,7 +26,8 @@ class Outputs {
     // Opens the files, before the work starts. Errors: one cannot be written, or there is no OpenGL (3).
     Outcome<void> open(const Scenario& scenario);
     // Opens the film, if one is wanted, of a run from now until then. `commands` and `session` outlive the outputs, which stay
-    // where they are. Errors: nothing can be filmed so (2), or it cannot be written (3).
+    // where they are. From then on Ctrl+C makes the run fail, and nothing of the film remains. Errors: nothing can be filmed so
+    // (2), or it cannot be written (3).
     Outcome<void> open_film(const Scenario& scenario, const Session& session,
                             std::span<const TimedCommand> commands, const Until& until,
                             const sim::StepOptions& step);

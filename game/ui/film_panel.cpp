@@ -98,7 +98,7 @@ void film(Desk& desk, const Facts& facts, Actions& actions) {
 
 // Two in a row.
 void key_rows(Desk& desk, const PathNote& path, Actions& actions) {
-    const float gap = ImGui::GetStyle().ItemSpacing.x, close = ImGui::GetFrameHeight();
+    const float gap = ImGui::GetStyle().ItemSpacing.x, close = ImGui::GetFrameHeight() * 1.2f;
     const float width = (ImGui::GetContentRegionAvail().x - gap) / 2 - close - gap / 2;
     for (std::size_t k = 0; k < path.keys.size(); ++k) {
         const double time = path.keys[k].time_s;

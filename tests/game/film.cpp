@@ -1,6 +1,7 @@
 // Films: what ffmpeg is asked for and given, and what is left when it fails. A script plays ffmpeg where that matters.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 
 #include <gtest/gtest.h>
 
@@ -351,6 +353,26 @@ TEST(FilmOfRun, has_the_images_of_its_time_however_it_ends) {
         const Finished refused = run(wrong);
         EXPECT_EQ(refused.status, 2) << wrong.back() << ": " << refused.err;
     }
+}
+
+TEST(FilmOfRun, that_is_interrupted_leaves_nothing) {
+    const FakeFfmpeg fake(kKeeps);
+    const SearchPath path(fake.programs());
+    const pid_t child = start_couloir({"run", "landslide", "--grid", "24", "--size", "32x18", "--seconds",
+                                       "3600", "--silent", "--video", (fake.films() / "a.mp4").string()});
+    const auto is_filming = [&] {
+        for (const auto& entry : fs::directory_iterator(fake.films()))
+            if (fs::file_size(entry) > 0) return true;
+        return false;
+    };
+    for (int wait = 0; wait < 60'000 && !is_filming(); ++wait)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(is_filming());
+    kill(child, SIGTERM);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == Failure::kMachine);
+    EXPECT_EQ(files_in(fake.films()), 0u);
 }
 
 // The film of the window, which goes on meanwhile.

@@ -107,6 +107,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"", {}},
     {"FILE.geojson", {}},
     {"FILE.png", {}},
+    {"FILE.toml", {}},
     {"NAME=VALUE,...", {}},  // Number.of_a_command_is_in_the_range_of_the_manifest, Number.of_a_parameter_…
     {"NAME", {}},
     {"FROM", {}},
