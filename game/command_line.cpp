@@ -657,6 +657,9 @@ void add_share(CLI::App& app, ShareOptions& options) {
     app.add_option("--lesson", options.lesson,
                    "give this lesson in the page: a name from `couloir list`, or a file")
         ->type_name("LESSON");
+    app.add_option("--beside", options.beside,
+                   "show another scene or recording beside it, with the same time and view: a name or a file")
+        ->type_name("WORLD");
     app.add_option("--out", options.out, "write the page to this file")->type_name("FILE.html")->required();
     add_page(app, options, options.view);
     add_memory(app, options.memory);

@@ -4,6 +4,7 @@ const kSettle = 150, kSmooth = 400;  // ms without a change before full resoluti
 const kLongest = 1000;               // ms that playing moves on in one picture
 const kRates = [[0.25, '¼ ×'], [0.5, '½ ×'], [1, '1 ×'], [2, '2 ×'], [4, '4 ×'], [8, '8 ×']];
 const kMark = [1, 0.55, 0.05];       // linear light: the ring around a marked point
+const kOutOfStep = 0.3;              // s by which two pages that play may differ
 const kLong = 60;                    // s from which a slide begins at twice its speed
 
 class Page {
@@ -365,6 +366,27 @@ class Page {
         this.resting = setTimeout(() => this.smooth(), kSmooth);
     }
 
+    // ---- beside another page ----
+
+    // What a page beside this one shows too.
+    get shown() {
+        const {slide: {tick}, playing, rate, overlay, camera} = this;
+        return {tick, playing, rate, overlay: overlay?.name ?? null, camera: camera.pose};
+    }
+
+    // Shows what that page shows, as far as it has changed. A slide that is shorter waits at its end.
+    follow({tick, playing, rate, overlay, camera}) {
+        const before = this.followed ?? {}, {last, tick_s: tickSeconds, overlays} = this.info;
+        this.followed = {tick, playing, rate, overlay, camera};
+        if (rate !== before.rate) part('rate').value = this.rate = rate;
+        if (overlay !== before.overlay) this.choose(overlay === null ? 0 : overlays.findIndex(each => each.name === overlay) + 1);
+        const plays = playing && tick < last, late = Math.abs(Math.min(tick, last) - this.slide.tick);
+        if (this.playing && !plays) this.play(false);
+        if (plays ? late * tickSeconds > kOutOfStep : tick !== before.tick && late > 0) this.seek(tick);
+        if (plays && !this.playing) this.touched = true, this.play(true);
+        if (camera && JSON.stringify(camera) !== JSON.stringify(before.camera)) this.camera.send(camera, true), this.stir();
+    }
+
     // For tests, and for the curious.
     hook(ms) {
         const page = this, {slide} = this;
@@ -372,6 +394,7 @@ class Page {
             info: this.info, camera: this.camera, renderer: this.picture.renderer, ms,
             seek: tick => page.seek(tick), read: (x, y) => slide.read(x, y), pick: (x, y) => page.pick(x, y),
             choose: index => page.choose(index), play: on => page.play(on),
+            get shown() { return page.shown; }, follow: shown => page.follow(shown),
             freeze(scale) {
                 page.resolution.held = scale;
                 page.scale = scale || 1;

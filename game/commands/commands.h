@@ -163,6 +163,7 @@ Outcome<int> normalise(const NormaliseOptions& options);
 struct ShareOptions {
     std::string world;  // name of a scene or of a recording, or a file; empty if there is a lesson
     std::optional<std::string> lesson;  // name or file
+    std::optional<std::string> beside;  // another world, in the right half
     std::filesystem::path out;
     std::optional<Viewpoint> view;
     std::uint64_t most_bytes = PageOptions().most_bytes;

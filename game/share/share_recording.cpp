@@ -12,6 +12,7 @@
 #include "game/analysis/headless.h"
 #include "game/analysis/played_run.h"
 #include "game/files/assets.h"
+#include "game/files/text_file.h"
 #include "game/recording/recording_file.h"
 #include "game/scene/shipped_look.h"
 #include "game/session/session.h"
@@ -35,30 +36,13 @@ void prepare_challenge(const Scenario& scenario, const Memory& memory, const std
         notices.push_back(fmt::format("A best run is not in the page: {}", fault));
 }
 
-PageReport with(PageReport report, std::vector<std::string> notices) {
-    report.notices = std::move(notices);
-    return report;
+Outcome<MadePage> with(Outcome<MadePage> page, std::vector<std::string> notices) {
+    if (page) page->report.notices = std::move(notices);
+    return page;
 }
 
-}  // namespace
-
-std::string proof_of(const std::filesystem::path& recording) {
-    const bool shipped = is_asset(AssetKind::kRecording, recording.string());
-    std::string name = shipped ? recording.string() : recording.filename().string();
-    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-        return std::isalnum(c) || c == '-' || c == '_' || c == '.';
-    });
-    if (!plain) {  // as a shell reads it
-        for (std::size_t at = 0; (at = name.find('\'', at)) != name.npos; at += 4)
-            name.replace(at, 1, "'\\''");
-        name = "'" + name + "'";
-    }
-    return fmt::format("couloir replay {} --verify", name);
-}
-
-Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
-                                  PageOptions options, const std::atomic<bool>* stop,
-                                  std::atomic<float>* progress) {
+Outcome<MadePage> make_page_of(const std::filesystem::path& recording, PageOptions options,
+                               const std::atomic<bool>* stop, std::atomic<float>* progress) {
     auto read = read_recording(recording);
     if (!read) return tl::unexpected(read.error());
     if (auto taken = take_look(LookFrom::kShipped, read->header.scenario); !taken)
@@ -83,7 +67,7 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     Watchers watchers;
     watchers.keep = [&](const Session& now) -> Outcome<void> {
         if (stop && stop->load())
-            return machine_fails(fmt::format("{}: stopped before its end", page.string()));
+            return machine_fails(fmt::format("{}: stopped before its end", recording.string()));
         if (progress) progress->store(static_cast<float>(now.state().tick) / static_cast<float>(last));
         if (lesson) lesson->see(scenario, now);
         return slide->see(now);
@@ -91,15 +75,34 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
     if (const auto ended = play_headless(*session, read->commands, until, watchers, ""); !ended)
         return tl::unexpected(ended.error());
     if (lesson) slide->set_lesson(lesson->json());
-    return slide->write(page, *session, read->commands).map([&](const PageReport& report) {
-        return with(report, notices);
-    });
+    return with(slide->make(*session, read->commands), std::move(notices));
 }
 
-Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
-                                         PageOptions options) {
+Outcome<PageReport> write(const std::filesystem::path& file, Outcome<MadePage> page) {
+    if (!page) return tl::unexpected(page.error());
+    if (auto written = write_text(file, page->text); !written) return tl::unexpected(written.error());
+    return std::move(page->report);
+}
+
+}  // namespace
+
+std::string proof_of(const std::filesystem::path& recording) {
+    const bool shipped = is_asset(AssetKind::kRecording, recording.string());
+    std::string name = shipped ? recording.string() : recording.filename().string();
+    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+        return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+    });
+    if (!plain) {  // as a shell reads it
+        for (std::size_t at = 0; (at = name.find('\'', at)) != name.npos; at += 4)
+            name.replace(at, 1, "'\\''");
+        name = "'" + name + "'";
+    }
+    return fmt::format("couloir replay {} --verify", name);
+}
+
+Outcome<MadePage> make_page_of_loaded(const LoadedWorld& world, PageOptions options) {
     if (world.lesson) options.lesson = std::make_shared<const Lesson>(*world.lesson);
-    if (world.watched) return write_page_of(world.scene.files.front(), page, options, nullptr, nullptr);
+    if (world.watched) return make_page_of(world.scene.files.front(), options, nullptr, nullptr);
     const Scenario& scenario = world.scene.scenario;
     std::vector<std::string> notices;
     if (scenario.goal) prepare_challenge(scenario, world.memory, nullptr, options, notices);
@@ -118,9 +121,18 @@ Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::fi
         if (const auto ended = play_headless(*session, commands, until, watchers, scenario.scene); !ended)
             return tl::unexpected(ended.error());
     }
-    return slide->write(page, *session, commands).map([&](const PageReport& report) {
-        return with(report, notices);
-    });
+    return with(slide->make(*session, commands), std::move(notices));
+}
+
+Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const std::filesystem::path& page,
+                                  PageOptions options, const std::atomic<bool>* stop,
+                                  std::atomic<float>* progress) {
+    return write(page, make_page_of(recording, std::move(options), stop, progress));
+}
+
+Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
+                                         PageOptions options) {
+    return write(page, make_page_of_loaded(world, std::move(options)));
 }
 
 }  // namespace game

@@ -16,9 +16,11 @@ Outcome<PageReport> write_page_of(const std::filesystem::path& recording, const 
                                   PageOptions options, const std::atomic<bool>* stop,
                                   std::atomic<float>* progress);
 
-// Writes the page of what was opened: of a recording, its slide; of a scene that does something by itself, its slide until it
+// Makes the page of what was opened: of a recording, its slide; of a scene that does something by itself, its slide until it
 // comes to rest; of a challenge and of any other world, an untouched one, in which whoever opens the page takes over at tick
 // 0. A challenge asks to beat the best run on this machine. Errors: as SlidePage.
+Outcome<MadePage> make_page_of_loaded(const LoadedWorld& world, PageOptions options);
+// The same into a file.
 Outcome<PageReport> write_page_of_loaded(const LoadedWorld& world, const std::filesystem::path& page,
                                          PageOptions options);
 

@@ -27,7 +27,7 @@
 #include "game/share/packed_stream.h"
 #include "game/share/puff_paths.h"
 #include "game/share/scenery.h"
-#include "game/share/sha256.h"
+#include "game/share/scripts.h"
 #include "render/frame/make_frame_block.h"
 #include "render/frame/marks.h"
 #include "render/mountain/bare_ground.h"
@@ -65,31 +65,6 @@ std::string size_text(std::uint64_t bytes) {
     if (bytes < 1000) return fmt::format("{} bytes", bytes);
     const auto size = static_cast<double>(bytes);
     return bytes < 1'000'000 ? fmt::format("{:.1f} kB", size / 1e3) : fmt::format("{:.1f} MB", size / 1e6);
-}
-
-// What a policy calls the scripts of a page: 'sha256-…' of each element without attributes. Only they may run, whatever
-// else the page was made to hold.
-std::string names_of_scripts(std::string_view page) {
-    constexpr std::string_view kBegin = "<script>", kEnd = "</script>";
-    std::string names;
-    for (auto at = page.find(kBegin); at != std::string_view::npos; at = page.find(kBegin, at)) {
-        at += kBegin.size();
-        const auto digest = sha256(page.substr(at, page.find(kEnd, at) - at));
-        const std::string_view bytes(reinterpret_cast<const char*>(digest.data()), digest.size());
-        names += fmt::format("{}'sha256-{}'", names.empty() ? "" : " ", to_base64(bytes));
-    }
-    return names;
-}
-
-// JSON that ends no script element and means the same, but for what is not printable.
-std::string in_script(const Json& json) {
-    std::string text;
-    for (const char c : printable(json.dump(-1, ' ', false, Json::error_handler_t::replace)))
-        if (c == '<')
-            text += "\\u003c";
-        else
-            text += c;
-    return text;
 }
 
 // The files of assets/web and assets/shaders that make a page.
@@ -643,6 +618,13 @@ void SlidePage::set_lesson(Json lesson) {
 
 Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& session,
                                      std::span<const TimedCommand> commands) {
+    return make(session, commands).and_then([&](MadePage&& page) -> Outcome<PageReport> {
+        if (auto written = write_text(file, page.text); !written) return tl::unexpected(written.error());
+        return std::move(page.report);
+    });
+}
+
+Outcome<MadePage> SlidePage::make(const Session& session, std::span<const TimedCommand> commands) {
     Parts& p = *parts_;
     p.keep_state(session);
     if (session.state().tick != p.given)
@@ -674,19 +656,19 @@ Outcome<PageReport> SlidePage::write(const fs::path& file, const Session& sessio
                       scripts = names_of_scripts(frame);
     const std::string_view policy =
         p.options.plays ? " 'wasm-unsafe-eval'; worker-src blob:" : std::string_view();
-    const std::string page = filled(frame, {{"@TITLE@", title},
-                                            {"@SCRIPTS@", scripts},
-                                            {"@POLICY@", policy},
-                                            {"@WORLD@", world->first},
-                                            {"@STYLE@", p.files.style},
-                                            {"@SLIDE@", slide},
-                                            {"@FIELDS@", fields}});
+    std::string page = filled(frame, {{"@TITLE@", title},
+                                      {"@SCRIPTS@", scripts},
+                                      {"@POLICY@", policy},
+                                      {"@WORLD@", world->first},
+                                      {"@STYLE@", p.files.style},
+                                      {"@SLIDE@", slide},
+                                      {"@FIELDS@", fields}});
     if (page.size() > p.options.most_bytes)
         return unusable(
             fmt::format("--web: the page has {}, and {} are allowed. Use a larger --every or --size-limit",
                         size_text(page.size()), size_text(p.options.most_bytes)));
-    if (auto written = write_text(file, page); !written) return tl::unexpected(written.error());
-    return PageReport{page.size(), p.frames, {}, info["about"]};
+    const std::uint64_t bytes = page.size();
+    return MadePage{std::move(page), {bytes, p.frames, {}, info["about"]}};
 }
 
 }  // namespace game

@@ -36,6 +36,12 @@ struct PageReport {
     std::string about = {};                 // "loose dry snow, 146 s, run-out 1 283 m, up to 46.2 m/s"
 };
 
+// A page as it is written, 1 file.
+struct MadePage {
+    std::string text;
+    PageReport report;
+};
+
 // Writes a slide as one web page that plays it in a browser, with its numbers and its state hash, and lets a person take it
 // over there: it has the recording and the module that computes it (game/live). The page has
 // everything: the program and shaders of assets/web and assets/shaders, and the states as whole quanta. Equal slides
@@ -56,8 +62,9 @@ class SlidePage {
     Outcome<void> see(const Session& session);
     // The page gives this lesson, as PageLesson has it. Call before write().
     void set_lesson(Json lesson);
-    // Writes the page; the last state is in it. `commands`: all of the slide. Errors: as see(), or the file cannot be
-    // written (status 3).
+    // Ends the page; the last state is in it. `commands`: all of the slide. Errors: as see().
+    Outcome<MadePage> make(const Session& session, std::span<const TimedCommand> commands);
+    // The same into a file. Errors: it cannot be written (status 3).
     Outcome<PageReport> write(const std::filesystem::path& file, const Session& session,
                               std::span<const TimedCommand> commands);
 

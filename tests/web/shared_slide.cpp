@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "game/analysis/headless.h"
-#include "game/share/slide_page.h"
 #include "render/mountain/drawn_mixture.h"
 #include "tests/game/program.h"
 #include "tests/support/places.h"
@@ -30,14 +29,15 @@ SharedSlide::Kept kept_of(const sim::View& world) {
 
 }  // namespace
 
-SharedSlide share_slide(const char* name, std::int64_t ticks, const std::string& title) {
+SharedSlide share_slide(const char* name, std::int64_t ticks, const std::string& title,
+                        const PageOptions& options) {
     Overrides overrides;
     overrides.squares = kSquares;
     Scene scene = load_scene(name, overrides).value();
     if (!title.empty()) scene.scenario.title = title;
     auto session = Session::begin(scene.scenario, {}, std::nullopt).value();
     session.follow_powder(scene.scenario);
-    auto page = SlidePage::begin(scene.scenario, session, "couloir replay it --verify", {}).value();
+    auto page = SlidePage::begin(scene.scenario, session, "couloir replay it --verify", options).value();
 
     SharedSlide slide{scene.scenario, {}, {}, {}};
     const auto keep = [&](const Session& now) {

@@ -7,6 +7,7 @@
 
 #include "game/scene/scene.h"
 #include "game/session/session.h"
+#include "game/share/slide_page.h"
 
 namespace game::test {
 
@@ -25,6 +26,7 @@ struct SharedSlide {
 };
 
 // Plays a scene on 48 squares along the longer side for so many ticks. `title`: instead of its own.
-SharedSlide share_slide(const char* scene, std::int64_t ticks, const std::string& title = {});
+SharedSlide share_slide(const char* scene, std::int64_t ticks, const std::string& title = {},
+                        const PageOptions& options = {});
 
 }  // namespace game::test
