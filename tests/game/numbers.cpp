@@ -119,6 +119,7 @@ const std::map<std::string, std::vector<std::string>> kTypes{
     {"EAST,NORTH,AZIMUTH,ELEVATION,DISTANCE", {}},  // five ranges: Viewpoint.is_five_numbers_in_their_ranges
     {"FILE", {}},
     {"LESSON", {}},
+    {"WORLD", {}},
     {"DIR", {}},
     {"DEM", {}},
     {"FILE.couloir", {}},
