@@ -234,13 +234,11 @@ void material(Desk& desk, const Facts& facts, Actions& actions, Flow& flow) {
 }
 
 void options(Desk& desk, const Facts& facts, bool wordless, Actions& actions, Flow& flow) {
-    ImGui::BeginDisabled(facts.looks_back());
     if (wordless) name_of_tool(desk, facts, flow);
     sizes(desk, facts, actions, flow);
     slopes(desk, facts, actions, flow);
     earth(desk, facts, flow);
     if (pours(info_of(facts.brush.tool))) material(desk, facts, actions, flow);
-    ImGui::EndDisabled();
 }
 
 // With that of the menu.
@@ -307,9 +305,10 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::SetNextWindowSizeConstraints({0, 0}, {room, desk.size.y});
     ImGui::Begin("Tool options", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     Flow needs(room - padding, gap);
-    // A small window has no room for what cannot be used.
-    if (!desk.narrow() || !facts.looks_back()) options(desk, facts, wordless, actions, needs);
-    if (facts.looks_back()) past(desk, facts, actions);
+    if (facts.looks_back())
+        past(desk, facts, actions);
+    else
+        options(desk, facts, wordless, actions, needs);
     desk.toolbar_bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
     desk.widgets.keep_window_clear("Tool options");
     ImGui::End();
