@@ -283,7 +283,13 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     const auto width = [&](bool wordless) {
         return width_of_tools(desk, facts, wordless) + width_of_panel_buttons() + 2 * desk.em() + padding;
     };
-    const bool wordless = width(false) > most;
+    const bool wordless = width(false) > most, wraps = width(wordless) > most;
+    const auto needs = [&](Flow& flow) {
+        if (facts.looks_back())
+            past(desk, facts, actions);
+        else
+            options(desk, facts, wordless, actions, flow);
+    };
     // As wide with every tool, so that no button moves when another one is chosen.
     const float wide = std::min(width(wordless), most);
     ImGui::SetNextWindowPos({desk.size.x / 2, margin}, ImGuiCond_Always, {0.5f, 0});
@@ -294,24 +300,24 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     tools(desk, facts, wordless, actions, buttons);
     ImGui::EndDisabled();
     panel_buttons(desk, facts, actions, buttons);
+    if (wraps) needs(buttons);  // a small window has no room for another plate
     const ImVec2 from = ImGui::GetWindowPos();
-    const float bottom = from.y + ImGui::GetWindowSize().y;
+    desk.toolbar_bottom = from.y + ImGui::GetWindowSize().y;
     desk.widgets.keep_window_clear("Toolbar");
     ImGui::End();
 
-    // Below it, as wide as what the tool in the hand needs.
-    const float room = desk.size.x - margin - from.x, apart = desk.narrow() ? -1 : margin / 3;  // px
-    ImGui::SetNextWindowPos({from.x, bottom + apart});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {room, desk.size.y});
-    ImGui::Begin("Tool options", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
-    Flow needs(room - padding, gap);
-    if (facts.looks_back())
-        past(desk, facts, actions);
-    else
-        options(desk, facts, wordless, actions, needs);
-    desk.toolbar_bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
-    desk.widgets.keep_window_clear("Tool options");
-    ImGui::End();
+    if (!wraps) {  // below it, as wide as what the tool in the hand needs
+        const float room = desk.size.x - margin - from.x;
+        ImGui::SetNextWindowPos({from.x, desk.toolbar_bottom + margin / 3});
+        ImGui::SetNextWindowSizeConstraints({0, 0}, {room, desk.size.y});
+        ImGui::Begin("Tool options", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
+        Flow row(room - padding, gap);
+        needs(row);
+        desk.toolbar_bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+        desk.widgets.keep_window_clear("Tool options");
+        ImGui::End();
+    }
+    desk.widgets.note("Tools", from, {from.x + wide, desk.toolbar_bottom});
 }
 
 }  // namespace game::ui

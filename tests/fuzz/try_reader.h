@@ -20,7 +20,7 @@ struct TriedReader {
 
 // All readers except the one of recordings, which try_recording.h tries, and the world of a page, which opens one. Each is in try_NAME.cpp.
 extern const TriedReader kTriedScene, kTriedMaterial, kTriedObj, kTriedNpy, kTriedGeojson, kTriedDem,
-    kTriedPicture, kTriedEnsemble, kTriedJournal, kTriedLive, kTriedCameraPath, kTriedLesson;
+    kTriedPicture, kTriedEnsemble, kTriedJournal, kTriedLive, kTriedCameraPath, kTriedLesson, kTriedLanguage;
 
 // Writes `bytes` into a file in `folder` and reads it. Returns what went wrong,
 // or nothing: either the file is accepted and the result keeps the reader's

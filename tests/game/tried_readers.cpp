@@ -109,7 +109,7 @@ TEST_P(EveryReader, accepts_or_refuses_in_one_line_changed_files) {
 INSTANTIATE_TEST_SUITE_P(All, EveryReader,
                          testing::Values(kTriedScene, kTriedMaterial, kTriedObj, kTriedNpy, kTriedGeojson,
                                          kTriedDem, kTriedPicture, kTriedEnsemble, kTriedJournal, kTriedLive,
-                                         kTriedCameraPath, kTriedLesson),
+                                         kTriedCameraPath, kTriedLesson, kTriedLanguage),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

@@ -263,12 +263,9 @@ TEST_F(UiPanels, keep_bars_readings_and_clock_apart_in_small_windows_and_with_la
     clock_.pause(true);
     for (const ScreenSize size : {ScreenSize{400, 300, 1}, {640, 480, 1}, {1280, 720, 2}, {320, 240, 1}}) {
         begin_anew(size);
-        const auto options = place("Tool options"), time_bar = place("Time bar"),
-                   readings = place("Readings");
-        const double border = 1;  // px, which they may share
-        EXPECT_LE(place("Toolbar").y + place("Toolbar").height - border, options.y) << size.width;
-        EXPECT_LT(options.y + options.height, time_bar.y) << size.width;
-        EXPECT_LE(options.y + options.height, readings.y) << size.width;
+        const auto tools = place("Tools"), time_bar = place("Time bar"), readings = place("Readings");
+        EXPECT_LT(tools.y + tools.height, time_bar.y) << size.width;
+        EXPECT_LE(tools.y + tools.height, readings.y) << size.width;
         EXPECT_LE(readings.y + readings.height, time_bar.y) << size.width;
         EXPECT_GT(readings.height, 2 * place("Height").height) << size.width;
         const auto clock = place("Time");
@@ -497,8 +494,8 @@ TEST_F(UiPanels, keep_the_card_between_the_bars_with_all_of_its_buttons) {
             card_->rows.assign(rows, {"Greatest load on a house", "249 569 m³ (at most 300 000 m³)"});
             begin_anew(size);
             settle(10);
-            const auto card = place("Result"), options = place("Tool options"), time_bar = place("Time bar");
-            EXPECT_GE(card.y, options.y + options.height) << size.width << " " << rows;
+            const auto card = place("Result"), tools = place("Tools"), time_bar = place("Time bar");
+            EXPECT_GE(card.y, tools.y + tools.height) << size.width << " " << rows;
             EXPECT_LE(card.y + card.height, time_bar.y) << size.width << " " << rows;
             EXPECT_TRUE(ui_->find("Look around") || size.width == 640) << size.width << " " << rows;
             EXPECT_TRUE(ui_->find("Map") || size.height < 1000) << rows;
