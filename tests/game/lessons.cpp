@@ -174,7 +174,7 @@ class LessonUnderWay : public testing::Test {
             lesson_.stops.push_back(stop);
         }
         lesson_.stops[1].asks_guess = true;
-        lesson_.stops[1].question.emplace();
+        lesson_.stops[1].question = Lesson::Question{};
     }
     Lesson lesson_;
 };

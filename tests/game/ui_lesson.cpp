@@ -20,7 +20,7 @@ class UiLesson : public UiHand {
         settle(6);
     }
     void ask(std::size_t length) {
-        stop_.question.emplace();
+        stop_.question = Lesson::Question{};
         stop_.question->asks = std::string(length, '?');
         stop_.question->answers = {"One", "Two", std::string(80, 'x')};
         stop_.question->right = 1;
