@@ -72,7 +72,7 @@ Outcome<std::filesystem::path> App::path_file() const {
     const std::filesystem::path& watched = first_.scene.files.front();
     const auto shipped = assets_folder();
     if (!shipped || watched.parent_path() != *shipped / "recordings") return camera_path_of(watched);
-    const auto folder = recordings_folder();
+    auto folder = recordings_folder();
     if (!folder) return folder;
     return camera_path_of(*folder / watched.filename());
 }
