@@ -118,8 +118,7 @@ void KeyChoice::hear(std::span<const Event> events) {
     for (const Event& event : events) {
         const auto* const pressed = std::get_if<KeyEvent>(&event);
         if (!pressed || !pressed->down || pressed->repeat) continue;
-        if (pressed->key == Key::kShift || pressed->key == Key::kControl ||
-            pressed->key == Key::kAlt)
+        if (pressed->key == Key::kShift || pressed->key == Key::kControl || pressed->key == Key::kAlt)
             continue;
         if (pressed->key == Key::kEscape) return end();
         got = Chord{pressed->key, pressed->with};

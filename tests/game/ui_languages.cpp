@@ -92,7 +92,8 @@ class UiLanguages : public UiHand {
 TEST_F(UiLanguages, have_room_for_every_label_at_1280_by_720_and_at_twice_the_text_size) {
     const auto font = ui_font();
     if (!font) GTEST_SKIP() << "there is no font";
-    catalogue_.own_of(ShelfKind::kRecording) = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"}};
+    catalogue_.own_of(ShelfKind::kRecording) = {
+        {"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"}};
     languages_ = Languages::of_user();
     EXPECT_EQ(languages_.told().size(), 0u);
     ASSERT_GE(languages_.choices().size(), 2u);

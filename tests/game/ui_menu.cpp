@@ -17,8 +17,9 @@ class UiMenu : public UiHand {
             {{"bowl", "The bowl", "/scenes/bowl.toml", Kind::kChallenge, "", {}, "Empty 300 m3 of it.", 1},
              {"bowl-hard", "The small bowl", "/scenes/bowl-hard.toml", Kind::kChallenge, "bowl", {}, "", 2},
              {"dam", "The dam", "/scenes/dam.toml", Kind::kChallenge, "", {}, "Build it.", 3}});
-        catalogue_.own_of(ShelfKind::kRecording) = {{"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"},
-                          {"mine", "/own/mine.couloir", "/own/mine.couloir"}};
+        catalogue_.own_of(ShelfKind::kRecording) = {
+            {"2026-11-21_18-04-59_valley", "/own/newest.couloir", "/own/newest.couloir"},
+            {"mine", "/own/mine.couloir", "/own/mine.couloir"}};
     }
     void open_page(const char* page) {
         ui_->perform(Verb::kMenu);
