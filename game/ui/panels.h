@@ -87,6 +87,7 @@ struct Desk {
     double usual_em = 16;                        // px, at a text size of 100 %
     // px, as last drawn. lower_edge bounds items for which there is no room beside the time bar.
     float toolbar_bottom = 0, time_bar_top = 0, time_bar_left = 0, lower_edge = 0;
+    float options_width = 0;                  // of the tool in the hand
     float card_without_map = 0;               // height of the result card, as if it had no map
     float lesson_text = 0, lesson_below = 0;  // heights in the card of a lesson, as last drawn
     float readings_height = 0;  // kept while the cursor is off the terrain, so that panels do not move

@@ -307,12 +307,15 @@ void toolbar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::End();
 
     if (!wraps) {  // below it, as wide as what the tool in the hand needs
-        const float room = desk.size.x - margin - from.x;
-        ImGui::SetNextWindowPos({from.x, desk.toolbar_bottom + margin / 3});
+        // A challenge with few tools has the narrower toolbar of the two.
+        const float left = std::max(std::min(from.x, (desk.size.x - desk.options_width) / 2), margin),
+                    room = desk.size.x - margin - left;
+        ImGui::SetNextWindowPos({left, desk.toolbar_bottom + margin / 3});
         ImGui::SetNextWindowSizeConstraints({0, 0}, {room, desk.size.y});
         ImGui::Begin("Tool options", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
         Flow row(room - padding, gap);
         needs(row);
+        desk.options_width = ImGui::GetWindowSize().x;
         desk.toolbar_bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
         desk.widgets.keep_window_clear("Tool options");
         ImGui::End();

@@ -228,6 +228,8 @@ TEST(CommandLine, refuses_a_lesson_that_it_cannot_give) {
           {"play", "--lesson", "no-such-lesson"},
           {"play", "winter-valley", "--lesson", "where-will-it-stop"},
           {"share", "--out", (folder.path() / "page.html").string()},
+          {"share", "--lesson", "where-will-it-stop", "--beside", "landslide.couloir", "--out",
+           (folder.path() / "page.html").string()},
           {"share", "landslide.couloir", "--lesson", "where-will-it-stop", "--out",
            (folder.path() / "page.html").string()}}) {
         const Finished finished = couloir(arguments);
