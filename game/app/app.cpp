@@ -15,6 +15,7 @@
 #include "game/files/ui_font.h"
 #include "game/files/user_folders.h"
 #include "game/scene/surface.h"
+#include "game/scene/viewpoint.h"
 #include "game/words/plain.h"
 #include "game/words/words.h"
 #include "render/mountain/overview.h"
@@ -470,13 +471,8 @@ void App::see_lesson() {
         lesson_figures(sandbox_->scenario(), sandbox_->session(), sandbox_->opening().scene.commands));
     sounds_.note(sound::Wave::kHint);
     if (const auto& view = open_.lesson->open()->camera) {
-        render::Camera there = home();
-        const glm::dvec2 at(view->east, view->north);
-        there.target = {at, surface_height(sandbox_->session().view(), at)};
-        there.azimuth_deg = view->azimuth_deg;
-        there.elevation_deg = view->elevation_deg;
-        there.distance_m = view->distance_m;
-        lookout_.control().go_to(there);
+        const double height = surface_height(sandbox_->session().view(), {view->east, view->north});
+        lookout_.control().go_to(camera_of(*view, height, home()));
     }
 }
 

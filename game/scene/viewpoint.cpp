@@ -7,6 +7,14 @@
 
 namespace game {
 
+render::Camera camera_of(const Viewpoint& view, double height, const render::Camera& like) {
+    return {.target = {view.east, view.north, height},
+            .azimuth_deg = view.azimuth_deg,
+            .elevation_deg = view.elevation_deg,
+            .distance_m = view.distance_m,
+            .field_of_view_deg = like.field_of_view_deg};
+}
+
 Outcome<void> look_from(const Viewpoint& view, Scenario& scenario) {
     const sim::Grid& grid = scenario.grid;
     const auto dx = static_cast<double>(grid.dx);
@@ -17,14 +25,9 @@ Outcome<void> look_from(const Viewpoint& view, Scenario& scenario) {
                         view.east, view.north, (grid.nx - 1) * dx, (grid.ny - 1) * dx));
     const auto vertex = static_cast<std::size_t>(std::lround(y)) * static_cast<std::size_t>(grid.nx) +
                         static_cast<std::size_t>(std::lround(x));
-    render::Camera camera = scenario.camera.value_or(render::Camera{});
-    camera.target = {view.east, view.north,
-                     scenario.datum + static_cast<double>(scenario.bedrock[vertex]) +
-                         static_cast<double>(scenario.depth[vertex])};
-    camera.azimuth_deg = view.azimuth_deg;
-    camera.elevation_deg = view.elevation_deg;
-    camera.distance_m = view.distance_m;
-    scenario.camera = camera;
+    const double height = scenario.datum + static_cast<double>(scenario.bedrock[vertex]) +
+                          static_cast<double>(scenario.depth[vertex]);
+    scenario.camera = camera_of(view, height, scenario.camera.value_or(render::Camera{}));
     return {};
 }
 

@@ -13,6 +13,9 @@ struct Viewpoint {
     double distance_m = 0;
 };
 
+// Its camera, if the surface has this height there, m. `like`: has its field of view.
+render::Camera camera_of(const Viewpoint& view, double height, const render::Camera& like);
+
 // Makes it the scenario's camera, with the field of view that this has. Errors (status 2): the place is outside the
 // grid.
 Outcome<void> look_from(const Viewpoint& view, Scenario& scenario);
