@@ -105,7 +105,7 @@ class Lesson {
         this.page.canvas.focus({preventScroll: true, focusVisible: false});
     }
 
-    // Closes the card. Time goes on from its stop, wherever it was scrubbed to meanwhile; from the last one, from the start.
+    // Closes the card. Time continues from its stop, wherever it was scrubbed to meanwhile; from the last one, from the start.
     leave() {
         const {tick} = this.stops[this.shown], isLast = this.shown + 1 === this.stops.length;
         if (isLast) return this.startAgain();

@@ -251,7 +251,7 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image,
                     .probability = subject.probability});
 }
 
-// What was shown is drawn again afterwards, so that the next frame can go on from it.
+// What was shown is drawn again afterwards, so that the next frame can continue from it.
 Outcome<render::Picture> WorldImage::picture(const Subject& subject) {
     const Seen shown = seen_;
     const ImageSize size = drawn_, best = best_size();
@@ -317,7 +317,7 @@ void WorldImage::draw_part(const Subject& subject) {
         photo_result_ = std::move(photo_->picture);
     }
     photo_.reset();
-    // What was shown is drawn again, so that the next frame can go on from it.
+    // What was shown is drawn again, so that the next frame can continue from it.
     draw_image(subject, drawn_);
     resolution_.drew_another();
     renderer_.show_on(screen_.framebuffer(), size.width, size.height);

@@ -36,7 +36,7 @@ struct PageReport {
     std::string about = {};                 // "loose dry snow, 146 s, run-out 1 283 m, up to 46.2 m/s"
 };
 
-// A page as it is written, 1 file.
+// A page, and what is told of it.
 struct MadePage {
     std::string text;
     PageReport report;

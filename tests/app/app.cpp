@@ -1360,7 +1360,7 @@ text = "It ran {runout}."
     EXPECT_EQ(state().tick, 6);
     ASSERT_TRUE(shows("Guess"));
 
-    // Time can be scrubbed meanwhile, and goes on from the stop.
+    // Time can be scrubbed meanwhile, and continues from the stop.
     tap(Key::kComma), tap(Key::kComma);
     frames(3);
     EXPECT_EQ(state().tick, 4);

@@ -66,7 +66,7 @@ TEST_F(LessonPage, halts_at_each_stop_and_says_how_far_off_the_guess_was) {
     EXPECT_TRUE(browser().comes("couloir.tick === 300 && !couloir.playing"));
     EXPECT_EQ(text("lesson-heading"), "Crown and track");
 
-    // Scrubbed meanwhile, it goes on from its stop. A guess by keys alone.
+    // Scrubbed meanwhile, it continues from its stop. A guess by keys alone.
     browser().press("g");
     EXPECT_EQ(text("lesson-guess").rfind("Your guess is marked", 0), 0u) << text("lesson-guess");
     EXPECT_TRUE(shows("pins"));
