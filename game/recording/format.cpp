@@ -16,6 +16,7 @@
 #include "game/recording/goal_json.h"
 #include "game/recording/ground_data.h"
 #include "game/recording/things_json.h"
+#include "game/scene/date.h"
 #include "game/scene/flow_kinds.h"
 #include "game/scene/shown_numbers.h"
 #include "game/scene/standing.h"
@@ -251,6 +252,7 @@ Json view_json(const Scenario& scenario) {
     powder("powder", look.powder);
     if (scenario.lower) powder("lower_powder", look.lower_powder);
     if (scenario.model) json["look"]["style"] = "model";
+    if (look.date) json["look"]["date"] = to_string(*look.date);
     if (scenario.trees.density > 0) json["trees"] = trees_json(scenario.trees);
     if (scenario.wind.speed > 0) json["wind"] = numbers_json(kWindNumbers, scenario.wind);
     if (look.flow) json["look"]["texture"] = to_string(look.flow->pattern);
@@ -307,6 +309,10 @@ void view_from(const Json& json, Scenario& scenario) {
     if (look.contains("style")) {
         scenario.model = text(look, "style") == "model";
         if (!scenario.model) refuse(fmt::format("look: unknown style '{}'", text(look, "style")));
+    }
+    if (look.contains("date")) {
+        scenario.look.date = date_from(text(look, "date"));
+        if (!scenario.look.date) refuse(fmt::format("look: '{}' is no day of a year", text(look, "date")));
     }
     if (look.contains("texture")) {
         const auto pattern = render::flow_pattern_named(text(look, "texture"));

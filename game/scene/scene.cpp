@@ -11,6 +11,7 @@
 #include "game/files/assets.h"
 #include "game/files/toml_table.h"
 #include "game/scene/camera_keys.h"
+#include "game/scene/date.h"
 #include "game/scene/flow_scene.h"
 #include "game/scene/goal_reach.h"
 #include "game/scene/material.h"
@@ -182,6 +183,11 @@ std::optional<SunMoment> read_view(TomlTable& root, Scenario& scenario) {
             if (*style != "landscape" && *style != "model")
                 table->blame("style", "is neither landscape nor model");
             scenario.model = *style == "model";
+        }
+        if (const auto date = table->text("date")) {
+            scenario.look.date = date_from(*date);
+            if (!scenario.look.date)
+                table->blame("date", "is no day of a year; write month and day, such as \"07-15\"");
         }
         table->finish();
     }

@@ -15,6 +15,7 @@ Outcome<void> take_look(LookFrom from, Scenario& scenario) {
         look.lower_rolling = scenario.look.lower_rolling;
         look.lower_turf = scenario.look.lower_turf;
         look.lower_powder = scenario.look.lower_powder;
+        look.date = scenario.look.date;
         scenario.look = look;
         leave_old_cover_on_bare_ground(scenario);
     }

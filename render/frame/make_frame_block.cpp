@@ -159,6 +159,10 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
                    std::clamp(std::log2(kFinishedRows / (image.height * samples)), 0.0, kMostCoarse));
     if (look.turf) block.turf = glm::vec4(*look.turf, 1);
     if (look.lower_turf) block.lower_turf = glm::vec4(*look.lower_turf, 1);
+    if (look.date) {
+        const Season season = season_on(*look.date);
+        block.season = {season.green, season.leaves, season.turned, 1};
+    }
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (image.height * samples);
     if (input.whole) {
         const glm::dvec2 all(image.width, image.height), frame(input.width, input.height);

@@ -27,10 +27,11 @@ struct FrameBlock {
     glm::vec4 contours;
     glm::vec4 flow, flow_tint;
     glm::ivec4 overlay;
+    glm::vec4 season;
     glm::vec4 density;
     std::array<glm::vec4, MOST_STOPS> stops;
     glm::vec4 lamp, above, below, toward, away, zenith, glow, cloud, disc;
 };
-static_assert(sizeof(FrameBlock) == 64 + (38 + MOST_STOPS) * 16);
+static_assert(sizeof(FrameBlock) == 64 + (39 + MOST_STOPS) * 16);
 
 }  // namespace render

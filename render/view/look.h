@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "render/view/flow_pattern.h"
+#include "render/view/season.h"
 
 namespace render {
 
@@ -47,6 +48,8 @@ struct Look {
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
     float old_cover_m = 0;  // old snow that lies on gentle ground and never moves, m, ≥ 0; for the eye alone
     float detail = 1;  // 0 to 1, strength of all small-scale relief and colour variation; 0: plain colours
+    // Plants are as on that day; none: grass is straw, and trees are as in winter.
+    std::optional<Date> date;
     PowderLook powder, lower_powder;
     std::optional<FlowLook> flow;  // none: no texture is advected
 };
