@@ -19,6 +19,7 @@
 #include "render/mountain/sun_sweep.h"
 #include "render/passes/coarse_ground.h"
 #include "render/passes/drawn_extent.h"
+#include "render/passes/drawn_land.h"
 #include "render/passes/drawn_probability.h"
 #include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
@@ -93,6 +94,7 @@ struct Renderer::Parts {
     Redrawn redrawn;
     RedrawRules rules;
     DrawnExtent extent;
+    DrawnLand land;
     DrawnProbability probability;
 
     // The stages of a frame, in order.
@@ -298,6 +300,7 @@ void Renderer::Parts::compute(const Frame& frame) {
         surroundings.survey(*input.surroundings, frame.block);
         surroundings.bind();
     }
+    land.bind(input);
     sweep.run(input.world, input.surroundings, frame.block);
     shadow.upload(sweep);
     shadow.bind();

@@ -52,7 +52,7 @@ Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p) {
     vec2 strata = abs(fract(depth_m * vec2(2.3, 7.1) + vec2(0.0, 0.4 * d.soft.z)) * 2.0 - 1.0) - 0.5;
     strata *= clamp(1.2 - p.footprint * vec2(2.0, 6.0), 0.0, 1.0);
     Skin face = Skin(lies * mix(vec3(1.0), vec3(0.90, 0.93, 0.97), smoothstep(0.1, 0.9, depth_m)) * (0.96 + 0.12 * strata.x + 0.08 * strata.y),
-                     0.25 * d.rock.xy + 0.1 * d.clumps.xy, 0.85);
+                     0.25 * d.rock.xy + 0.1 * d.clumps.xy, 0.85, 0.0);
     p.slope = mix(p.slope, 2.2 * crown.up, crown.shown);
     skin = blend(skin, face, crown.shown);
     return skin;

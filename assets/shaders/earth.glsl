@@ -20,5 +20,5 @@ Skin with_earth(Skin skin, Place p, Detail d, vec4 fine) {
     soil *= 0.45 + 0.55 * d.clumps.z + 0.45 * d.rock.z + 0.35 * (fine.z - 0.5);
     float stones = smoothstep(0.50, 0.72, d.rock.z + 0.25 * (fine.z - 0.5)) * clamp(0.25 - 0.5 * rise, 0.0, 0.7);
     soil = mix(soil, 1.2 * frame.rock.rgb, stones * frame.haze.w);
-    return blend(skin, Skin(soil, 0.25 * d.clumps.xy + 0.35 * d.rock.xy + 0.30 * fine.xy, 0.55 + 0.45 * d.clumps.z + 0.15 * d.rock.z), there);
+    return blend(skin, Skin(soil, 0.25 * d.clumps.xy + 0.35 * d.rock.xy + 0.30 * fine.xy, 0.55 + 0.45 * d.clumps.z + 0.15 * d.rock.z, 0.0), there);
 }

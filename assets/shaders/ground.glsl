@@ -6,6 +6,7 @@ struct Place {
     vec3 ray;         // from the eye, as long as one step forward
     float forward;    // steps
     vec3 at;          // m
+    vec2 source;      // cells; the place on the grid whose land is drawn here
     vec2 slope;
     float open;       // visible share of the sky
     float footprint;  // m
@@ -17,6 +18,7 @@ struct Skin {
     vec3 albedo;
     vec2 rise;   // slope that small relief adds
     float open;  // share of the sky visible from small hollows
+    float wet;   // share of it that mirrors the sky, 0 to 1
 };
 
 // Small relief at a place, from broad to narrow.
@@ -35,6 +37,7 @@ Place place_at(vec3 at, vec3 ray, float forward, vec2 slope, float open) {
     p.ray = ray;
     p.forward = forward;
     p.at = at;
+    p.source = at.xy / frame.ground.x;
     p.slope = slope;
     p.open = open;
     // At a low viewing angle a pixel covers a long strip: use the mean of its length and width.
@@ -159,17 +162,19 @@ vec4 fine_at(Place p, Detail d, float covered) {
     return detail(p, stone ? DETAIL_ROCK : DETAIL_SOFT, d.at, stone ? turned(0.622, 0.783, 9.0) : kAlongWind, 9.0);
 }
 
-// Bare ground: straw-coloured turf with greener hollows, and rock in beds that dip and wave.
-Skin ground(Place p, Detail d, vec4 fine) {
+// Bare ground: straw-coloured turf with greener hollows, or `plants`, and rock in beds that dip and wave.
+Skin ground(Place p, Detail d, vec4 fine, Skin plants) {
     float bare = stony(p, d);
     vec3 grass = frame.meadow.rgb * mix(vec3(0.68, 0.76, 0.72), vec3(1.55, 1.30, 1.15), d.tone);
     grass *= 0.40 + 0.22 * d.soft.z + 0.22 * d.rock.z + 0.20 * d.clumps.z + 0.50 * fine.z;
     float band = 0.9 * d.strata.x, crack = 1.0 - smoothstep(0.10, 0.24, d.rock.z);
     vec3 stone = frame.rock.rgb * (0.42 + 0.70 * d.rock.z + 0.45 * fine.z + band) * (1.0 - 0.45 * crack) * mix(vec3(1.22, 1.0, 0.78), vec3(0.84, 1.0, 1.16), clamp(d.tone + 0.8 * d.strata.x, 0.0, 1.0));
     stone *= (0.72 + 0.56 * d.broad.z) * (1.0 - 0.50 * d.strata.z) * (1.0 - 0.45 * d.strata.w);
-    return Skin(mix(grass, stone, bare),
-                mix(0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.9 * d.rock.xy + 0.5 * fine.xy + 0.5 * d.soft.xy + (0.8 * band - 0.5 * d.strata.y) * p.slope, bare),
-                mix(0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.60 + 0.8 * d.rock.z, bare));
+    if (frame.season.w == 0.0)
+        plants = Skin(grass, 0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.0);
+    return Skin(mix(plants.albedo, stone, bare),
+                mix(plants.rise, 0.9 * d.rock.xy + 0.5 * fine.xy + 0.5 * d.soft.xy + (0.8 * band - 0.5 * d.strata.y) * p.slope, bare),
+                mix(plants.open, 0.60 + 0.8 * d.rock.z, bare), plants.wet);
 }
 
 // The standing layer. Wind has combed its grain, in places into sastrugi.
@@ -179,14 +184,15 @@ Skin cover(vec3 albedo, Detail d, vec4 fine) {
     float tint = 1.0 + patchy * (0.8 * (d.tone - 0.5) + 0.5 * (d.soft.z - 0.5) + 0.4 * (d.rock.z - 0.5) + 0.6 * (fine.z - 0.5));
     float windy = smoothstep(0.25, 0.60, d.tone);
     return Skin(albedo * tint, 0.15 * d.soft.xy + 0.12 * d.broad.xy + 0.03 * d.rock.xy + (0.10 + 0.22 * windy) * fine.xy,
-                0.86 + 0.1 * d.soft.z + 0.08 * fine.z);
+                0.86 + 0.1 * d.soft.z + 0.08 * fine.z, 0.0);
 }
 
-// Grass on a standing layer that nothing has touched. `turf`: its colour times its share, and the share.
-Skin grown(vec4 turf, Detail d, vec4 fine) {
+// Grass on a standing layer that nothing has touched, or `plants`. `turf`: its colour times its share, and the share.
+Skin grown(vec4 turf, Detail d, vec4 fine, Skin plants) {
+    if (frame.season.w > 0.0) return plants;
     vec3 grass = turf.rgb / max(turf.w, 1e-3) * mix(vec3(0.65, 0.75, 0.70), vec3(1.50, 1.25, 1.10), d.tone);
     return Skin(grass * (0.40 + 0.35 * d.soft.z + 0.24 * d.clumps.z + 0.50 * fine.z), 0.2 * d.soft.xy + 0.08 * d.clumps.xy + 0.30 * fine.xy,
-                0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z);
+                0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.0);
 }
 
 // Light from crystals that mirror the lamp to the eye, as a factor on it, mostly 0. Each cell of the ground keeps its
@@ -207,6 +213,17 @@ float sparkle(Place p) {
     return mix(shines.x, shines.y, size - smaller) * smoothstep(0.16, 0.04, p.footprint);
 }
 
+// Sky and lamp in water. `wet`: share of the ground that mirrors.
+vec3 mirrored(Place p, vec3 normal, float in_sun, float wet) {
+    if (wet <= 0.0) return vec3(0.0);
+    vec3 along = normalize(p.ray), back = reflect(along, normal);
+    float past = 1.0 - clamp(-dot(along, normal), 0.0, 1.0), past2 = past * past;
+    float mirrors = 0.02 + 0.98 * past2 * past2 * past;  // Schlick (1994)
+    float up = max(back.z, 0.0), t = max(dot(back, frame.sun.xyz), 0.0), t8 = t * t * t * t * t * t * t * t, t64 = t8 * t8 * t8 * t8 * t8 * t8 * t8 * t8;
+    vec3 sky = mix(frame.below.w * horizon(back), frame.zenith.rgb, sqrt(up));
+    return wet * mirrors * (sky * p.open + frame.lamp.rgb * (20.0 * t64 * t64 * in_sun));
+}
+
 Skin blend(Skin a, Skin b, float share) {
-    return Skin(mix(a.albedo, b.albedo, share), mix(a.rise, b.rise, share), mix(a.open, b.open, share));
+    return Skin(mix(a.albedo, b.albedo, share), mix(a.rise, b.rise, share), mix(a.open, b.open, share), mix(a.wet, b.wet, share));
 }

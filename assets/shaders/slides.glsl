@@ -8,7 +8,7 @@ Skin moving(vec3 albedo, Detail d, float speed) {
     float lump = 0.70 * d.clumps.z + 0.30 * d.soft.z;
     return Skin(albedo * (0.62 + 0.60 * lump + 0.25 * d.broad.w) * (1.0 + 0.12 * speed),
                 rough * (1.5 * d.clumps.xy + 0.7 * d.soft.xy + 0.4 * d.broad.xy),
-                mix(1.0, 0.40 + 1.1 * lump, rough));
+                mix(1.0, 0.40 + 1.1 * lump, rough), 0.0);
 }
 
 // The rolling layer's advected texture: weaker than the texture itself, and as uneven overall as the ground. Its blocks stick
@@ -19,7 +19,7 @@ Skin worn(Skin carried, vec3 albedo, Detail d) {
     float bare = mix(1.0, mix(0.25, 1.45, smoothstep(0.30, 0.70, 0.6 * d.soft.z + 0.4 * d.clumps.z)), frame.haze.w);
     return Skin(albedo * (mix(1.0, light, rough * min(bare, 1.0)) * (0.85 + 0.3 * d.broad.w)),
                 rough * (bare * carried.rise + 0.2 * d.broad.xy + frame.haze.w * (0.35 * d.soft.xy + 0.20 * d.clumps.xy)),
-                mix(1.0, carried.open, rough * min(bare, 1.0)));
+                mix(1.0, carried.open, rough * min(bare, 1.0)), 0.0);
 }
 
 // The same for a deposit: nearly the colour of the standing layer, as crushed material is darker.
@@ -63,7 +63,7 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
         // Material with its advected texture. Frayed detail beyond the cut mesh uses the texture at its
         // place.
         vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
-        Skin carried = Skin(albedo.rgb, rise.xy, rise.z);
+        Skin carried = Skin(albedo.rgb, rise.xy, rise.z, 0.0);
         if (int(frame.flow.y) == FLOW_EVERYWHERE)
             rolls = albedo.a;
         else if (frame.overlay.x != OVERLAY_STRETCH) {

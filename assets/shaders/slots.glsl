@@ -37,6 +37,7 @@
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
+#define SLOT_LAND SLOT_POWDER_LOWER // RGBA8, while ground is shaded: render/mountain/land.h
 #define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: assets/textures/conifers.png
 #define SLOT_LENS_REACH SLOT_SKY // R16F, while a photo is taken: radii of blocks of pixels
 #define SLOT_COARSE_DEPTH SLOT_SKY // D32F, while the ground of a moving frame is spread: depth of every second sample
@@ -136,6 +137,10 @@
 #define BUILT_BRICK 13
 
 #define POWDER_SHADOW 3.0 // mean radii of the puffs, from a cloud to the end of its shadow
+
+// Distances from a brook's water that the land can tell, m: inside, outside
+#define LAND_NEAR 4.0
+#define LAND_FAR 28.0
 
 // Layers of the detail texture
 #define DETAIL_SOFT 0

@@ -21,6 +21,7 @@ void main() {
     vec3 ray = at - frame.eye.xyz;
     float forward = dot(ray, frame.ray_forward.xyz);
     Place p = place_at(at, ray / forward, forward, slope, cover_lower_open_sun.z);
+    p.source = source;
     Detail d = detail_at(p);
     float thin = thinned(p, d, cover_here());
     float lower = lower_share(p, d, source, cover_lower_open_sun.y);
@@ -28,12 +29,13 @@ void main() {
     vec3 lies = mix(frame.standing.rgb, frame.lower_standing.rgb, lower);
     vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower);
     vec4 fine = fine_at(p, d, covered);
-    Skin skin = blend(ground(p, d, fine), blend(cover(lies, d, fine), grown(turf, d, fine), turf.w), covered);
+    Skin plants = plants_at(p, d, fine);
+    Skin skin = blend(ground(p, d, fine, plants), blend(cover(lies, d, fine), grown(turf, d, fine, plants), turf.w), covered);
 
     vec3 normal = normalize(vec3(-slope - skin.rise, 1.0));
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-slope, 1.0), frame.sun.xyz));
     vec3 light = lit(vec3(1.0), normal, cover_lower_open_sun.w * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
-    vec3 seen = through_air(skin.albedo * light, at);
+    vec3 seen = through_air(skin.albedo * light + mirrored(p, normal, cover_lower_open_sun.w * facing_sun, skin.wet), at);
     vec2 middle = 0.5 * frame.ground.x * vec2(frame.size.xy - 1);
     vec2 out_of_grid = max(abs(at.xy - middle) - middle, 0.0);
     float sides = length(out_of_grid) / (2.0 * max(middle.x, middle.y));

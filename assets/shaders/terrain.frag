@@ -64,10 +64,11 @@ void main() {
     vec3 rolling_colour = frame.rolling.rgb * (1.0 - lower.y) + frame.lower_rolling.rgb * lower.y;
     Slide slide = Slide(smoothed, lies, rolling_colour);
     vec4 fine = fine_at(p, d, covered);
-    Skin skin = blend(with_earth(ground(p, d, fine), p, d, fine), cover(with_dirt(lies, p, d), d, fine), covered);
+    Skin plants = plants_at(p, d, fine);
+    Skin skin = blend(with_earth(ground(p, d, fine, plants), p, d, fine), cover(with_dirt(lies, p, d), d, fine), covered);
 
     vec4 turf = frame.material.w * mix(frame.turf, frame.lower_turf, lower.x);
-    skin = left_by_slides(skin, grown(turf, d, fine), turf.w, slide, d, covered);
+    skin = left_by_slides(skin, grown(turf, d, fine, plants), turf.w, slide, d, covered);
 
     // The edge of the cover is thick: ground before it lies in its shade, and its rim is rounded. Where the cover
     // thins out slowly, there is no edge.
@@ -90,6 +91,6 @@ void main() {
     vec3 light = lit(vec3(1.0), normal, in_sun, p.open * clamp(skin.open, 0.0, 1.2));
     // Only snow is as bright as that.
     light += frame.lamp.rgb * (1.5 * sparkle(p) * in_sun * clamp(4.0 * dot(normal, frame.sun.xyz), 0.0, 1.0) * frame.haze.w * smoothstep(0.55, 0.75, skin.albedo.g));
-    vec3 seen = frame.overlay.x == OVERLAY_STRETCH && rolls > 0.5 ? light_shown_as(skin.albedo * shade(light)) : through_air(skin.albedo * light, p.at);
+    vec3 seen = frame.overlay.x == OVERLAY_STRETCH && rolls > 0.5 ? light_shown_as(skin.albedo * shade(light)) : through_air(skin.albedo * light + mirrored(p, normal, in_sun, skin.wet), p.at);
     colour = vec4(marked(seen, p, light), 1.0);
 }

@@ -69,7 +69,7 @@ class Picture {
                                      [...frame, 'flow.frag', 'grain.glsl', 'paint_blended.glsl']);
         if (info.surroundings)
             this.programs.around = add([...frame, 'cover.glsl', 'surroundings.vert'],
-                                       [...frame, 'cover.glsl', 'light.glsl', 'ground.glsl', 'surroundings.frag',
+                                       [...frame, 'cover.glsl', 'light.glsl', 'ground.glsl', 'plants.glsl', 'surroundings.frag',
                                         info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
@@ -105,7 +105,7 @@ class Picture {
         const earth = this.slide.earth ? 'earth.glsl' : 'earth_none.glsl', key = [earth, ...marks].join();
         if (!this.shadings.has(key)) {
             const files = ['slots.glsl', 'frame.glsl', 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
-                           'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag',
+                           'plants.glsl', 'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag',
                            this.slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl'];
             const kinds = [['earth_none.glsl', 'slides_none.glsl', 'crown_none.glsl'],
                            ['earth_none.glsl', 'slides.glsl', 'crown_none.glsl'], [earth, 'slides.glsl', 'crown.glsl']];
@@ -141,6 +141,7 @@ class Picture {
             relief: field('SLOT_RELIEF', gl.RGBA32F, gl.NEAREST), filtered: field('SLOT_RELIEF', gl.RGBA16F, gl.LINEAR),
             layers: field('SLOT_LAYERS', gl.RGBA8, gl.LINEAR), measure: field('SLOT_MEASURE', gl.RG16F, gl.LINEAR),
             extent: slide.info.goal?.ghost_step === undefined ? null : field('SLOT_EXTENT', gl.R16F, gl.LINEAR),
+            land: this.landTexture(),
             mixture: slide.info.two ? field('SLOT_MIXTURE', gl.RG8, gl.LINEAR) : null,
         };
         this.surface = gpu.target([this.fields.relief, this.fields.filtered, this.fields.layers]);
@@ -158,6 +159,15 @@ class Picture {
         this.tiles = new SlideTiles(slide, this.firstDepth);
         this.scenery = new Scenery(gpu, slide, programs, slots, frame);
         this.cloud = programs.puffs ? new Cloud(gpu, slide, programs, slots, frame) : null;
+    }
+
+    // What plants and water find on the ground; nothing without a date.
+    landTexture() {
+        const {gl, gpu, slide, slots} = this;
+        const parts = ['brook', 'moisture', 'tilled', 'rubble'].map(part => slide.array('land.' + part));
+        const [width, height] = slide.info.arrays['land.brook']?.size ?? [1, 1], texels = new Uint8Array(4 * width * height);
+        parts.forEach((part, channel) => part?.forEach((share, i) => texels[4 * i + channel] = share));
+        return gpu.texture(slots.SLOT_LAND, gl.RGBA8, width, height, gl.LINEAR, texels);
     }
 
     // Its mean colour is that of the rolling layer.
@@ -451,6 +461,7 @@ class Picture {
             : cursor || this.slide.extent ? this.shading('marks.glsl', 'overlay_none.glsl') : this.shading('marks_none.glsl');
         gpu.bind(slots.SLOT_RELIEF, fields.filtered);
         gpu.bind(slots.SLOT_EXTENT, fields.extent);  // which others use as well
+        gpu.bind(slots.SLOT_LAND, fields.land);      // as this
         gl.depthMask(false);
         gl.depthFunc(gl.LESS);
         gpu.enabled([gl.DEPTH_TEST], () =>

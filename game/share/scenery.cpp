@@ -5,6 +5,7 @@
 
 #include "game/scene/mountains.h"
 #include "game/share/built_pieces.h"
+#include "render/mountain/land.h"
 #include "render/mountain/spindrift.h"
 #include "render/mountain/sun_sweep.h"
 #include "render/mountain/surroundings_mesh.h"
@@ -84,6 +85,7 @@ void Scenery::pack(PackedStream& into) const {
     into.add("ceiling", ceilings, {0.1, 2, kPlane}, rays_);
     if (around_.empty()) return;
     pack_surroundings(into);
+    if (scenario_.look.date) pack_land(into);
     if (has_trees()) pack_woods(into);
     if (render::is_dry_snow(scenario_.look)) pack_ridges(into);
 }
@@ -123,6 +125,16 @@ void Scenery::pack_surroundings(PackedStream& into) const {
     add("on", {1, 1, kNone}, [](const Vertex& v) { return v.on_grid; });
     pack_column(into, "around.sun", sun, {kShare, 1, kLast}, [](float share) { return share; });
     into.add("around.index", mesh.indices, 0, 1, 3, kLast);
+}
+
+void Scenery::pack_land(PackedStream& into) const {
+    const render::Land land = render::land_of(around_, render::Land::kInPages);
+    for (std::size_t part = 0; const char* name : {"brook", "moisture", "tilled", "rubble"}) {
+        std::vector<std::uint32_t> shares;
+        shares.reserve(land.texels.size() / 4);
+        for (std::size_t i = part++; i < land.texels.size(); i += 4) shares.push_back(land.texels[i]);
+        into.add(std::string("land.") + name, shares, 0, 1, 1, kPlane, land.columns);
+    }
 }
 
 void Scenery::pack_woods(PackedStream& into) const {

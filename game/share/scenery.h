@@ -38,6 +38,7 @@ class Scenery {
   private:
     void find_trees(const sim::View& first);
     void pack_surroundings(PackedStream& into) const;
+    void pack_land(PackedStream& into) const;
     void pack_woods(PackedStream& into) const;
     void pack_ridges(PackedStream& into) const;
     void pack_structures(PackedStream& into, const sim::View& world, std::int64_t frames) const;

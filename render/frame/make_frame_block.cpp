@@ -35,6 +35,7 @@ constexpr double kWideView =
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
 constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at which people light them
+constexpr float kSummerExposure = 1.45f;        // against that of snow
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
@@ -78,6 +79,13 @@ void set_light(FrameBlock& block, const Light& light) {
     block.cloud = glm::dvec4(sky.cloud, ramp(kLampsOff, kLampsOn, light.elevation_deg));
     block.disc = glm::dvec4(direction(azimuth, glm::radians(sky.lamp_elevation_deg)),
                             std::cos(glm::radians(kDiscRadius)));
+}
+
+// Makes all light brighter, as an eye that is used to darker ground sees it.
+void expose(FrameBlock& block, float factor) {
+    for (glm::vec4* light : {&block.lamp, &block.above, &block.below, &block.toward, &block.away,
+                             &block.zenith, &block.glow, &block.cloud})
+        *light = glm::vec4(factor * glm::vec3(*light), light->w);
 }
 
 // The block of a part of the frame's image: the rectangle around `middle`, `size` times as large.
@@ -162,6 +170,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     if (look.date) {
         const Season season = season_on(*look.date);
         block.season = {season.green, season.leaves, season.turned, 1};
+        expose(block, glm::mix(1.f, kSummerExposure, season.green));
     }
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (image.height * samples);
     if (input.whole) {

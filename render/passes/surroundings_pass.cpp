@@ -39,7 +39,7 @@ tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::
         return link_program(
             shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
                       {GL_FRAGMENT_SHADER,
-                       {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl",
+                       {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl", "plants.glsl",
                         "surroundings.frag", materials}}});
     };
     auto one = link("surroundings_one.glsl"), two = link("surroundings_two.glsl");

@@ -32,9 +32,10 @@ Texture detail_texture_of(const std::vector<std::uint8_t>& texels) {
 // Creates the surface's shading with the files that define materials, slides and marks.
 tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
                                                       const std::vector<std::string_view>& variant) {
-    std::vector<std::string_view> files{
-        "slots.glsl",      "frame.glsl",  "light.glsl",       "sun_ceiling.glsl",   "ground.glsl",
-        "tone_curve.glsl", "spline.glsl", "scene_depth.glsl", "surface_place.glsl", "terrain.frag"};
+    std::vector<std::string_view> files{"slots.glsl",         "frame.glsl",  "light.glsl",
+                                        "sun_ceiling.glsl",   "ground.glsl", "plants.glsl",
+                                        "tone_curve.glsl",    "spline.glsl", "scene_depth.glsl",
+                                        "surface_place.glsl", "terrain.frag"};
     files.insert(files.end(), variant.begin(), variant.end());
     return RectanglePass::create(shaders, files);
 }

@@ -14,7 +14,8 @@ constexpr int day_of_year(Date date) {
 
 // 0 until a date, 1 from a later one on.
 float since(int day, Date from, Date to) {
-    return static_cast<float>(ramp(day_of_year(from), day_of_year(to), day));
+    return ramp(static_cast<float>(day_of_year(from)), static_cast<float>(day_of_year(to)),
+                static_cast<float>(day));
 }
 
 }  // namespace

@@ -59,6 +59,8 @@ TEST(RecordingHeader, keeps_the_view_bit_identical) {
     Scenario green = before;
     green.look.turf = glm::vec3(0.135f, 0.15f, 0.052f);
     EXPECT_EQ(through_header(green).look.turf, green.look.turf);
+    green.look.date = render::Date{10, 9};
+    EXPECT_EQ(through_header(green).look.date, green.look.date);
     EXPECT_EQ(after.look.powder, render::PowderLook());
     Scenario dusty = before;
     dusty.look.powder = {0.7f, 3.1f, {0.5f, 1.f / 3.f, 0.2f}};

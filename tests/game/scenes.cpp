@@ -278,6 +278,17 @@ TEST_F(SceneFile, is_a_landscape_unless_its_style_is_model) {
     EXPECT_TRUE(is_model("[look]\nstyle = \"model\"\n"));
 }
 
+TEST_F(SceneFile, shows_plants_as_on_its_date) {
+    const auto date = [this](const std::string& look) {
+        const auto scene = load(with("[light]", look + "[light]"));
+        EXPECT_TRUE(scene) << scene.error().sentence;
+        return scene ? scene->scenario.look.date : std::nullopt;
+    };
+    EXPECT_EQ(date(""), std::nullopt);
+    EXPECT_EQ(date("[look]\ndate = \"07-15\"\n"), (render::Date{7, 15}));
+    EXPECT_EQ(date("[look]\ndate = \"02-29\"\n"), (render::Date{2, 29}));
+}
+
 TEST_F(SceneFile, has_trees_only_if_it_asks_for_them) {
     const auto trees = [this](const std::string& table) {
         const auto scene = load(with("[light]", table + "[light]"));
@@ -520,6 +531,9 @@ constexpr Fault kFaults[] = {
     {"\"bcre-inertial\"", "\"newton\"", 8, "physics.model"},
     {"\"open\"", "\"ajar\"", 9, "physics.borders"},
     {"\"open\"", "\"open\"\nscheme = \"upwind\"", 10, "physics.scheme"},
+    {"[light]", "[look]\ndate = \"02-30\"\n[light]", 16,
+     "look.date is no day of a year; write month and day, such as \"07-15\""},
+    {"[light]", "[look]\ndate = \"7-15\"\n[light]", 16, "look.date is no day of a year"},
     {"[light]", "[look]\nstyle = \"cubist\"\n[light]", 16, "look.style is neither landscape nor model"},
     {"duration = 1", "duration = 1, as = \"flying\"", 12, "pour.as"},
     {"duration = 1", "duration = 1, profile = \"star\"", 12, "pour.profile"},

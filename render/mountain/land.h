@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/mountain/surroundings.h"
+
+namespace render {
+
+// What plants and water find on a world's grid at tick 0: where brooks run, how moist the ground is, where it is tilled
+// and where rubble lies. For the eye alone. Equal ground gives an equal land on one machine.
+//
+// Water runs down the steepest of eight ways over the ground, whose pits are filled from their rims (Barnes, Lehman and
+// Mulla 2014). A brook begins where kBrookArea drains; its bed winds where the ground is level. Moisture is the topographic
+// index ln(a/tan β) of Beven and Kirkby (1979).
+struct Land {
+    static constexpr int kUsual = 1024,
+                         kInPages = 512;          // texels along a side, at most, save that of the lattice
+    static constexpr double kBrookArea = 60'000;  // m² that drain into the beginning of a brook
+
+    // A texel is four numbers of 0 to 255: nearness of a brook's water, from LAND_FAR outside it, 0, to LAND_NEAR inside;
+    // moisture; share of tilled ground; share of rubble. The first row is the south. The middles of the outermost texels are the outermost
+    // vertices of the grid.
+    int columns = 0, rows = 0;
+    std::vector<std::uint8_t> texels;
+};
+
+// Empty for empty surroundings. Takes up to 0.3 s.
+Land land_of(const Surroundings& around, int most_along = Land::kUsual);
+
+}  // namespace render

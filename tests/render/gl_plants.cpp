@@ -1,0 +1,45 @@
+#include <cmath>
+
+#include "tests/render/gl_scene.h"
+#include "tests/render/mountains.h"
+
+// What grows on ground whose look has a date.
+namespace render::test {
+namespace {
+
+class Plants : public Gl {
+  protected:
+    // Hilly ground from above on that day; none: without a date.
+    Colour colour_on(std::optional<Date> date, bool surrounded = true) {
+        const World world = make_world(
+            60, 10, [](double x, double y) { return 40 * std::sin(x / 90) * std::cos(y / 75) + 0.2 * y; });
+        const Surroundings around = mountains_around(world);
+        Look look;
+        look.date = date;
+        FrameInput input{world.view(), from_above({300, 300, 0}, 400), {180, 50}, look};
+        input.width = input.height = 128;
+        if (surrounded) input.surroundings = &around;
+        renderer_->draw(input);
+        return mean_colour(renderer_->read_back(), 64, 64, 60);
+    }
+};
+
+// How green a colour is, against its red.
+double green(const Colour& colour) {
+    return colour[1] / colour[0];
+}
+
+TEST_F(Plants, are_green_in_july_and_straw_in_january) {
+    const double summer = green(colour_on(Date{7, 15})), autumn = green(colour_on(Date{10, 5})),
+                 winter = green(colour_on(Date{1, 15}));
+    EXPECT_GT(summer, 1.05);
+    EXPECT_GT(summer, autumn + 0.01);
+    EXPECT_GT(autumn, winter + 0.01);
+}
+
+TEST_F(Plants, grow_on_a_block_without_mountains) {
+    EXPECT_GT(green(colour_on(Date{7, 15}, false)), 1.05);
+}
+
+}  // namespace
+}  // namespace render::test
