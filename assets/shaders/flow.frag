@@ -5,7 +5,7 @@ in vec4 offset[3];
 in vec4 mixture;
 in float stretch;
 in float lies;
-layout(location = 0) out vec4 skin_albedo;
+layout(location = 0) out vec4 skin_albedo;  // alpha: 1, less half of the share of turf
 layout(location = 1) out vec4 skin_relief;
 
 const int kAdvected = 6;  // two phases for each of three latencies
@@ -26,6 +26,22 @@ struct Paint {
 
 // Defined in paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: size of a sample, tiles.
 Paint paint(Sheet sheets[kSheets], float footprint);
+
+// In grain.glsl.
+float grain_level(float footprint);
+float raft_at(Sheet sheet, float level);
+
+// The share of turf, 0 to 1, that was torn off and rides on the flow, where plants are drawn.
+float turf(Sheet sheets[kSheets], float footprint) {
+    if (frame.season.w == 0.0 || frame.turf.w == 0.0) return 0.0;
+    float raft = 0.0, variance = 0.0;
+    for (int s = 0; s < kSheets; ++s) {
+        if (sheets[s].weight < 1.0 / 64.0) continue;
+        raft += sheets[s].weight * raft_at(sheets[s], grain_level(footprint));
+        variance += sheets[s].weight * sheets[s].weight;
+    }
+    return smoothstep(0.10, 0.16, raft * inversesqrt(max(variance, 0.05)));
+}
 
 void main() {
     mat2 pixel = mat2(dFdx(at), dFdy(at));
@@ -53,6 +69,6 @@ void main() {
     sheets[kAdvected] = Sheet((at.yx + vec2(37.0, 11.0)) * frame.flow.x, mat2(0.0, 1.0, 1.0, 0.0), everywhere ? 0.0 : 1.0 - kept);
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
-    skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0);
+    skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0 - 0.5 * (everywhere ? 0.0 : turf(sheets, footprint)));
     skin_relief = vec4(seen.rise, seen.open, lies);
 }

@@ -12,7 +12,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     ivec4 size;             // vertices along x and y; rays and rows of the sun sweep
     vec4 sweep;             // shear (cells per row), first ray (cells), fall of the light per row (m), 1: rows are columns
     vec4 haze;              // 1 / its length high up 1/m; height of the valley m; 1: sweep starts at the last row; detail 0 to 1
-    vec4 rock;
+    vec4 rock;              // w: how much flowing material shines, 0 to 1
     vec4 meadow;            // w: old snow on gentle ground, m
     vec4 standing;          // w: depth that hides the ground, m
     vec4 rolling;           // w: depth at which it is drawn, m

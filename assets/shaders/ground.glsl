@@ -218,7 +218,7 @@ vec3 mirrored(Place p, vec3 normal, float in_sun, float wet) {
     if (wet <= 0.0) return vec3(0.0);
     vec3 along = normalize(p.ray), back = reflect(along, normal);
     float past = 1.0 - clamp(-dot(along, normal), 0.0, 1.0), past2 = past * past;
-    float mirrors = 0.02 + 0.98 * past2 * past2 * past;  // Schlick (1994)
+    float mirrors = 0.02 + 0.98 * wet * wet * past2 * past2 * past;  // Schlick (1994); mud is rough
     float up = max(back.z, 0.0), t = max(dot(back, frame.sun.xyz), 0.0), t8 = t * t * t * t * t * t * t * t, t64 = t8 * t8 * t8 * t8 * t8 * t8 * t8 * t8;
     vec3 sky = mix(frame.below.w * horizon(back), frame.zenith.rgb, sqrt(up));
     return wet * mirrors * (sky * p.open + frame.lamp.rgb * (20.0 * t64 * t64 * in_sun));

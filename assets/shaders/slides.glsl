@@ -34,6 +34,20 @@ Skin at_rest(Skin carried, vec3 rolls, vec3 lies, Detail d) {
     return carried;
 }
 
+// Soil that flows or has flowed, where plants are drawn: rafts of turf, torn and trodden, and mud that shines where it is wet.
+Skin with_mud(Skin mud, Detail d, float turf, float fresh) {
+    float sheen = frame.rock.w * fresh, pools = smoothstep(0.62, 0.40, d.clumps.z) * smoothstep(0.35, 0.60, d.soft.z + 0.3 * sheen);
+    mud.albedo *= 1.0 - 0.42 * sheen * (0.4 + 0.6 * pools);
+    mud.rise *= 1.0 - 0.45 * sheen * pools;
+    mud.wet = sheen * (0.15 + 0.75 * pools);
+    vec3 green = mix(frame.turf.rgb, vec3(0.085, 0.135, 0.028), frame.season.x) * (0.45 + 0.5 * d.clumps.z + 0.3 * d.soft.z);
+    float torn = turf * smoothstep(0.30, 0.45, d.rock.z + 0.4 * (d.clumps.z - 0.5));
+    mud.albedo = mix(mud.albedo, green, 0.9 * torn);
+    mud.rise += 0.25 * torn * d.clumps.xy;
+    mud.wet *= 1.0 - torn;
+    return mud;
+}
+
 Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, float covered) {
     // Where the standing layer is thinner than at tick 0, a scar: greyed and rough. Where it is thicker, a deposit:
     // debris that lies still, under the advected texture if there is one. Edges are ragged, and no change stays none.
@@ -64,13 +78,19 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
         // place.
         vec4 albedo = texelFetch(skin_albedo, ivec2(gl_FragCoord.xy), 0), rise = texelFetch(skin_relief, ivec2(gl_FragCoord.xy), 0);
         Skin carried = Skin(albedo.rgb, rise.xy, rise.z, 0.0);
+        float turf = albedo.a > 0.25 ? 2.0 - 2.0 * albedo.a : 0.0, there = step(0.25, albedo.a);
         if (int(frame.flow.y) == FLOW_EVERYWHERE)
             rolls = albedo.a;
         else if (frame.overlay.x != OVERLAY_STRETCH) {
             carried = worn(carried, slide.rolls, d);
-            skin = blend(skin, at_rest(carried, slide.rolls, slide.lies, d), covered * smoothstep(0.1, 0.5, rise.w));
+            Skin rests = at_rest(carried, slide.rolls, slide.lies, d);
+            if (frame.season.w > 0.0) {
+                carried = with_mud(carried, d, turf, 1.0);
+                rests = with_mud(rests, d, turf, 0.6);
+            }
+            skin = blend(skin, rests, covered * smoothstep(0.1, 0.5, rise.w));
         }
-        debris = blend(debris, carried, albedo.a);
+        debris = blend(debris, carried, there);
     }
     debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
     skin = blend(skin, debris, rolls);

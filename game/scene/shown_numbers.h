@@ -42,6 +42,7 @@ inline constexpr ShownNumber<render::Wind, double> kWindNumbers[] = {
 
 inline constexpr ShownNumber<render::Look, float> kLookNumbers[] = {
     {"roughness", "roughness", 0, 1, &render::Look::roughness},
+    {"sheen", "", 0, 1, &render::Look::sheen},
     {"cover_visible", "cover_visible_m", 0, 10, &render::Look::cover_visible_m},
     {"rolling_visible", "rolling_visible_m", 0.001, 10, &render::Look::rolling_visible_m},
     {"old_cover", "", 0, 10, &render::Look::old_cover_m},

@@ -157,7 +157,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     block.haze =
         glm::dvec4(1 / (kHazeLength * std::max(1.0, side / kWideView)), heights.lowest, 0, look.detail);
     set_sweep(block, world.grid);
-    block.rock = glm::vec4(look.rock, 0);
+    block.rock = glm::vec4(look.rock, look.sheen);
     block.meadow = glm::vec4(look.meadow, look.old_cover_m);
     block.standing = glm::vec4(look.standing, look.cover_visible_m);
     block.rolling = glm::vec4(look.rolling, look.rolling_visible_m);

@@ -36,7 +36,7 @@ tl::expected<FlowPass, std::string> FlowPass::create(const std::filesystem::path
     for (auto [program, stages] : std::initializer_list<std::pair<ProgramName*, std::vector<ShaderStage>>>{
              {&pass.blended_, painted({"grain.glsl", "paint_blended.glsl"})},
              {&pass.chosen_, painted({"grain.glsl", "paint_chosen.glsl"})},
-             {&pass.stretch_, painted({"tone_curve.glsl", "paint_stretch.glsl"})},
+             {&pass.stretch_, painted({"tone_curve.glsl", "grain.glsl", "paint_stretch.glsl"})},
              {&pass.mesh_program_, {on_surface("flow_mesh.vert"), {GL_FRAGMENT_SHADER, {"flow_mesh.frag"}}}},
              {&pass.point_program_,
               {on_surface("flow_points.vert"),

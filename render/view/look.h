@@ -44,6 +44,7 @@ struct Look {
     // Grass on the standing layer where nothing has changed it since tick 0; none: it is drawn bare.
     std::optional<glm::vec3> turf, lower_turf;
     float roughness = 0.5f;           // 0 to 1, strength of the rolling layer's small-scale relief
+    float sheen = 0;                  // 0 to 1, how much it mirrors the sky: how wet it is
     float cover_visible_m = 0.05f;    // depth at which the standing layer hides the ground, m, > 0
     float rolling_visible_m = 0.05f;  // depth at which the rolling layer is drawn, m, ≥ 0.001
     float old_cover_m = 0;  // old snow that lies on gentle ground and never moves, m, ≥ 0; for the eye alone
