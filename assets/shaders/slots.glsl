@@ -38,7 +38,7 @@
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
 #define SLOT_LAND SLOT_POWDER_LOWER // RGBA8, while ground is shaded: render/mountain/land.h
-#define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: assets/textures/conifers.png
+#define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: conifers.png and trees-in-leaf.png of assets/textures
 #define SLOT_LENS_REACH SLOT_SKY // R16F, while a photo is taken: radii of blocks of pixels
 #define SLOT_COARSE_DEPTH SLOT_SKY // D32F, while the ground of a moving frame is spread: depth of every second sample
 #define SLOT_EARTH 30     // R32F: m that bedrock was raised by; below 0: lowered
@@ -95,7 +95,7 @@
 
 #define MOST_STOPS 8 // of a legend
 
-// Pictures of trees, as render/textures/conifer_pictures.h draws them: tiles in columns by tree and in rows by the height of
+// Pictures of trees, as render/textures/tree_pictures.h draws them: tiles in columns by tree and in rows by the height of
 // the eye, of which here are the sines, and those at which the next row begins
 #define TREE_TILE_WIDTH 128
 #define TREE_TILE_HEIGHT 256
@@ -104,12 +104,19 @@
 #define TREE_ROWS 4
 #define TREE_ROW_SINES 0.070, 0.407, 0.719, 0.940
 #define TREE_ROW_LIMITS 0.242, 0.574, 0.848
-#define TREE_COLUMNS 8
+#define TREE_COLUMNS 8 // of a file: conifers.png has the first ones, trees-in-leaf.png the others
 #define TREE_SPRUCES 4 // the first columns, with ever more snow
 #define TREE_COLUMN_BROKEN 4
 #define TREE_COLUMN_LARCH 5
 #define TREE_COLUMN_PINE 6
 #define TREE_COLUMN_GROUP 7
+#define TREE_COLUMN_GREEN_LARCH 8
+#define TREE_COLUMN_BEECH 9 // two of them
+#define TREE_COLUMN_BIRCH 11
+#define TREE_COLUMN_BUSH 12
+#define TREE_COLUMN_LEAVES 13 // a group of broad-leaved trees
+#define TREE_COLUMN_BARE 14 // a broad-leaved tree without leaves
+#define TREE_COLUMN_BARE_GROUP 15
 #define TREE_SPARE 1.3  // half the width of a tile, in radii of the crown
 #define TREE_ABOVE 1.02 // what is in a tile, in heights of the tree
 #define TREE_SHADOW_WIDTH 1.2 // half the width of a shadow at the foot, in radii of the crown
@@ -119,6 +126,9 @@
 #define TREE_SPRUCE 0
 #define TREE_LARCH 1
 #define TREE_PINE 2
+#define TREE_BEECH 3
+#define TREE_BIRCH 4
+#define TREE_BUSH 5
 
 // What structures are made of
 #define BUILT_WOOD 0

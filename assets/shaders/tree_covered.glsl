@@ -1,5 +1,5 @@
 // Trees' pictures between their texels.
-layout(binding = SLOT_TREE_PICTURES) uniform sampler2D pictures;  // render/textures/conifer_pictures.h
+layout(binding = SLOT_TREE_PICTURES) uniform sampler2D pictures;  // render/textures/tree_pictures.h
 
 // At a place of a level, texels: what the covered ones of the nearest four show, by nearness, and how much they cover, 0 to 1.
 // Uncovered ones have no colour.

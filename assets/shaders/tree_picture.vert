@@ -17,6 +17,13 @@ vec2 corner_around(int corner, bool is_round, float radius, float low, float sin
     return vec2((corner == 0 ? -1.0 : 1.0) * slope * (tall - low), low);
 }
 
+// The same around a broad-leaved tree: an ellipse, the crown, above its stem. `lowest`: lower edge of the picture.
+vec2 corner_around_crown(int corner, float radius, float lowest, float sine, float cosine) {
+    float middle = 0.57 * cosine, deep = length(vec2(0.45 * cosine, radius * sine));
+    float low = max(min(middle - deep, -0.02), lowest), tall = middle + 1.9 * deep;
+    return corner == 2 ? vec2(0.0, tall) : vec2((corner == 0 ? -0.62 : 0.62) * radius / deep * (tall - low), low);
+}
+
 void main() {
     Tree tree = tree_at(gl_VertexID / 3);
     float high = tree.foot.w, radius = tree.look.w / high;
@@ -30,6 +37,7 @@ void main() {
 
     float wide = TREE_SPARE * radius, low = -wide * sine, top = TREE_ABOVE * cosine + wide * sine * sine;
     vec2 card = corner_around(gl_VertexID % 3, group || pine, 1.02 * radius, low, sine, cosine);
+    if (is_broad(tree) && !group) card = corner_around_crown(gl_VertexID % 3, 1.02 * radius, low, sine, cosine);
     vec3 at = middle + high * (card.x * across + (card.y - 0.5 * cosine) * up);
     at += min(0.8 * tree.look.w / away, 0.5) * (frame.eye.xyz - at);  // before the ground, which would cut its branches off
     gl_Position = frame.clip_from_world * vec4(at, 1.0);
@@ -48,10 +56,12 @@ void main() {
     Lights lights = lights_of(tree, front, view, cosine);
     vec4 snows = snow(tree);
     // A load of snow shades needles: bare ones are brighter, or a wood without snow would be a black mass.
-    vec3 needle = needles(tree) * mix(2.8, 1.0, snows.a) * kept * lights.needle;
+    bool leafy = in_leaf(tree);
+    vec3 colour = needles(tree) * (leafy ? 2.4 : mix(2.8, 1.0, snows.a)), needle = colour * kept * lights.needle;
     // Needles on the side of the sun are brighter by the sun's share of their light.
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;
     dark = vec4(needle, clamp(aside, -0.95, 0.95));
     white = vec4((snows.rgb * kept * lights.snow - needle) * snows.a, mix(0.25, 0.75, tree.kind.z));
+    if (leafy) white.rgb = 2.0 * bark(tree) * kept * lights.needle - needle;  // its pictures have bark in place of snow
     air = vec4(before, texels < 0.7 * exp2(float(TREE_FINEST)) ? -1.0 : level - float(TREE_FINEST));
 }

@@ -2,7 +2,7 @@
 in vec2 along;
 flat in vec3 left;
 flat in float strength;
-flat in vec3 picture;
+flat in vec4 picture;
 out vec4 colour;
 
 // Share of a place that the tree's picture covers.
@@ -14,6 +14,7 @@ float covered() {
 void main() {
     float aside = abs(along.x) / max(1.0 - along.y, 0.02);
     float dense = (1.0 - smoothstep(0.55 - 0.5 * along.y, 1.0, aside)) * smoothstep(0.0, 0.10, along.y);
-    if (picture.z >= 0.0) dense = mix(covered(), dense, 0.15 + 0.85 * along.y);
-    colour = vec4(mix(vec3(1.0), left, strength * dense * (0.95 - 0.35 * along.y)), 0.0);  // alpha 0: edges_mark.frag leaves it out
+    if (picture.w > 0.0) dense = 1.0 - smoothstep(0.45, 1.0, length(vec2(along.x, (along.y - 0.55) / 0.48)));
+    if (picture.z >= 0.0 && along.y < 1.0) dense = mix(covered(), dense, 0.15 + 0.85 * along.y);
+    colour = vec4(mix(vec3(1.0), left, strength * dense * max(0.95 - 0.35 * along.y, 0.0)), 0.0);  // alpha 0: edges_mark.frag leaves it out
 }

@@ -77,29 +77,35 @@ class Scenery {
         this.treeTexture = gpu.texture(slots.SLOT_UNITS, gl.RGBA32F, kTreeNumbers / 4 * kTreesInARow, rows, gl.NEAREST);
     }
 
-    // The levels are below each other, lowest row first. A number has the three parts of a texel.
+    // Those of trees in leaf are beside the others, if the page has any.
     makeTreePictures() {
-        const {gpu, gpu: {gl}, slots} = this, packed = this.slide.quanta('trees.pictures');
-        const sizes = [], width = slots.TREE_COLUMNS * slots.TREE_TILE_WIDTH, height = slots.TREE_ROWS * slots.TREE_TILE_HEIGHT;
-        for (let level = slots.TREE_FINEST_IN_PAGES; level < slots.TREE_LEVELS; ++level)
-            sizes.push([width >> level, height >> level]);
+        const {gpu, gpu: {gl}, slots, slide} = this;
+        const files = ['trees.pictures', 'trees.in_leaf'].filter(name => slide.info.arrays[name]);
+        const width = slots.TREE_COLUMNS * slots.TREE_TILE_WIDTH, height = slots.TREE_ROWS * slots.TREE_TILE_HEIGHT;
+        const finest = slots.TREE_FINEST_IN_PAGES, levels = slots.TREE_LEVELS - finest;
         const pictures = gl.createTexture();
         gpu.bind(slots.SLOT_TREE_PICTURES, pictures);
-        gl.texStorage2D(gl.TEXTURE_2D, sizes.length, gl.RGB8, ...sizes[0]);
+        gl.texStorage2D(gl.TEXTURE_2D, levels, gl.RGB8, files.length * width >> finest, height >> finest);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST_MIPMAP_NEAREST);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
         gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+        files.forEach((name, file) => this.uploadTreePictures(slide.quanta(name), file * width, width, height));
+        return pictures;
+    }
+
+    // The levels are below each other, lowest row first. A number has the three parts of a texel.
+    uploadTreePictures(packed, left, width, height) {
+        const {gpu: {gl}, slots} = this, finest = slots.TREE_FINEST_IN_PAGES;
         let first = 0;
-        sizes.forEach(([wide, high], level) => {
-            const texels = new Uint8Array(3 * wide * high);
+        for (let level = finest; level < slots.TREE_LEVELS; ++level) {
+            const wide = width >> level, high = height >> level, texels = new Uint8Array(3 * wide * high);
             for (let i = 0; i < wide * high; ++i) {
                 const texel = packed[first + i];
                 texels.set([17 * (texel >> 9), 17 * (texel >> 5 & 15), Math.round((texel & 31) * 255 / 31)], 3 * i);
             }
-            gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, wide, high, gl.RGB, gl.UNSIGNED_BYTE, texels);
+            gl.texSubImage2D(gl.TEXTURE_2D, level - finest, left >> level, 0, wide, high, gl.RGB, gl.UNSIGNED_BYTE, texels);
             first += wide * high;
-        });
-        return pictures;
+        }
     }
 
     makeRidges() {

@@ -1,5 +1,6 @@
 // Trees: which of the trees a camera sees, and how each is drawn, as render/woods/trees_in_view.cpp finds them.
-const kHalfWidth = 0.19, kHalfWidthOfPine = 0.8, kWiderInStand = 0.2;  // of a tree, of its height
+const kHalfWidth = 0.19, kHalfWidths = {TREE_PINE: 0.8, TREE_BEECH: 0.26, TREE_BIRCH: 0.185, TREE_BUSH: 0.58};  // of a tree, of its height
+const kWiderInStand = 0.2, kBushGone = 4, kBushWhole = 16;  // pixels of height: below the first no bush is drawn
 const kWideOfHeight = 0.0145, kLeastWide = 5.5, kMostWide = 10.5;  // of the mean tree: of the frame's height, pixels
 const kMeanWidth = 5, kMostTogether = 20;  // m; trees that one stands for
 const kGroup = 8, kWidthOfGroup = 0.75, kTaller = 0.4;
@@ -37,6 +38,7 @@ class TreesInView {
         this.slide = slide;
         this.sunAt = sun;
         this.constants = constants;
+        this.halfWidths = new Map(Object.entries(kHalfWidths).map(([kind, half]) => [constants[kind], half]));
         this.ground = new Ground(slide);
         this.begun = Object.fromEntries(kTreeColumns.map(name => [name, slide.array('trees.' + name) ?? new Float32Array(0)]));
         this.begun.chance = this.begun.x.map((_, i) => ownNumber(i));
@@ -102,7 +104,9 @@ class TreesInView {
         const away = [this.x[i] - eye[0], this.y[i] - eye[1], this.z[i] - eye[2]];
         const distance = Math.max(Math.hypot(...away), 1), highRay = Math.hypot(...up), group = this.group[i];
         const wide = clamp(kWideOfHeight * 2 * highRay / pixel, kLeastWide, kMostWide);
-        const share = clamp(kMeanWidth * group / (distance * pixel) / wide, group / kMostTogether, 1);
+        const isBush = this.kind[i] === this.constants.TREE_BUSH;
+        const share = isBush ? smoothstep(kBushGone, kBushWhole, this.height[i] / (distance * pixel))
+            : clamp(kMeanWidth * group / (distance * pixel) / wide, group / kMostTogether, 1);
         if (rank >= share) return null;
         // One that is left out shrinks first.
         const kept = (share < 1 ? Math.min((share - rank) / (0.15 * share), 1) : 1) * this.parted(i, eye, away);
@@ -113,14 +117,14 @@ class TreesInView {
         if (deep < -radius || isBeside(right, Math.hypot(...right)) || isBeside(up, highRay)) return null;
 
         // Near the eye it is one tree, even if it stands for more.
-        const together = Math.min(group / share, Math.max(wide * distance * pixel / kMeanWidth, 1));
+        const together = isBush ? 1 : Math.min(group / share, Math.max(wide * distance * pixel / kMeanWidth, 1));
         const isGroup = together > kGroup, tops = isGroup ? Math.round(together) : 1;
         const taller = Math.pow(Math.min(together, kGroup), kTaller), height = this.height[i] * kept * taller;
-        const slim = this.kind[i] === this.constants.TREE_PINE ? kHalfWidthOfPine : kHalfWidth;
+        const slim = this.halfWidths.get(this.kind[i]) ?? kHalfWidth;
         const broad = slim * this.height[i] * kept * together / taller * (1 + kWiderInStand * this.closed[i]);
         const half = Math.max(isGroup ? kWidthOfGroup * broad : broad, 0.6 * kept * distance * pixel);
         const pixels = height / (distance * pixel);
-        const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (1 + 3 * this.closed[i])));
+        const shadow = this.sun[i] * smoothstep(1, 2, pixels / (kShadowPixels * (isBush ? 4 : 1 + 3 * this.closed[i])));
         return {i, distance, height, half, tops, shadow};
     }
 

@@ -39,7 +39,9 @@ std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
 }  // namespace
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
-    render::Woods woods(mountains, scenario.trees, scenario.datum, clearings_of(scenario));
+    render::TreeRules rules = scenario.trees;
+    rules.mixed = scenario.look.date.has_value();
+    render::Woods woods(mountains, rules, scenario.datum, clearings_of(scenario));
     if (scenario.woods_act()) woods.let_act();
     return woods;
 }

@@ -70,9 +70,9 @@ std::string size_text(std::uint64_t bytes) {
 // The files of assets/web and assets/shaders that make a page.
 struct PageFiles {
     std::string frame, style, program;
-    Json shaders = Json::object();  // text by name: those that the program names
-    std::vector<std::uint32_t> tree_pictures;
-    std::string module, worker;  // of a page that plays
+    Json shaders = Json::object();                            // text by name: those that the program names
+    std::vector<std::uint32_t> tree_pictures, trees_in_leaf;  // the latter if a day of the year is stated
+    std::string module, worker;                               // of a page that plays
 };
 
 // The pictures of trees without their largest level, one number per texel, lowest row first: 4, 4 and 5 bits of its parts.
@@ -99,7 +99,7 @@ Outcome<std::vector<std::uint32_t>> read_tree_pictures(const fs::path& file) {
     return pictures;
 }
 
-Outcome<PageFiles> read_page_files(bool plays) {
+Outcome<PageFiles> read_page_files(bool plays, bool has_date) {
     const auto assets = assets_folder();
     if (!assets) return tl::unexpected(assets.error());
     PageFiles files;
@@ -137,6 +137,10 @@ Outcome<PageFiles> read_page_files(bool plays) {
     auto pictures = read_tree_pictures(*assets / "textures" / "conifers.png");
     if (!pictures) return tl::unexpected(pictures.error());
     files.tree_pictures = std::move(*pictures);
+    if (!has_date) return files;
+    auto in_leaf = read_tree_pictures(*assets / "textures" / "trees-in-leaf.png");
+    if (!in_leaf) return tl::unexpected(in_leaf.error());
+    files.trees_in_leaf = std::move(*in_leaf);
     return files;
 }
 
@@ -429,8 +433,10 @@ Outcome<void> SlidePage::Parts::pack_start(const Moment& moment) {
         stream.add("lower0", lower_depth.quanta(), 0, lower_depth.step(), 1, kPlane, scenario.grid.nx);
     }
     scenery->pack(stream);
-    if (scenery->has_trees() || may_plant(scenario, options))
+    if (scenery->has_trees() || may_plant(scenario, options)) {
         stream.add("trees.pictures", files.tree_pictures, 0, 1, 2, kNone);
+        if (!files.trees_in_leaf.empty()) stream.add("trees.in_leaf", files.trees_in_leaf, 0, 1, 2, kNone);
+    }
     stream.add("files", std::string_view(files.shaders.dump()));
     return {};
 }
@@ -580,7 +586,7 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
     if (scenario.flow)
         return unusable(fmt::format(
             "--web: {} shows how fronts are tracked and has no slide; --frames draws it", scenario.scene));
-    auto files = read_page_files(options.plays);
+    auto files = read_page_files(options.plays, scenario.look.date.has_value());
     if (!files) return tl::unexpected(files.error());
     const sim::View world = session.view();
     auto parts = std::make_unique<Parts>(scenario, session.state(), std::move(proof), options);

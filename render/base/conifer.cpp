@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "render/base/chance.h"
 #include "render/base/ramp.h"
 
 namespace render {
@@ -15,34 +16,12 @@ namespace {
 
 constexpr glm::vec3 kUp{0, 0, 1};
 
-// Numbers by chance, from a seed (xorshift).
-class Chance {
-  public:
-    explicit Chance(std::uint32_t seed) : x_(seed * 2654435761u + 12345u) {}
-    float operator()() {
-        x_ ^= x_ << 13, x_ ^= x_ >> 17, x_ ^= x_ << 5;
-        return static_cast<float>(x_ >> 8) / 16777216.f;
-    }
-    float operator()(float low, float high) { return glm::mix(low, high, (*this)()); }
-
-  private:
-    std::uint32_t x_;
-};
-
-// Unit vector in plan after so many turns, from a rational circle: no maths library has its own last bits in it.
-glm::vec3 direction(float turns) {
-    const float quarters = 4 * (turns - std::floor(turns)), t = quarters - std::floor(quarters);
-    const float c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-    const std::array<glm::vec3, 4> of_quarter{{{c, s, 0}, {-s, c, 0}, {-c, -s, 0}, {s, -c, 0}}};
-    return of_quarter[static_cast<std::size_t>(quarters) % 4];
-}
-
 // x to a power between a half and 1.
 float rooted(float x, float power) {
     return glm::mix(std::sqrt(x), x, 2 * power - 1);
 }
 
-void add_stem(Conifer& tree, float radius, float top, float light) {
+void add_stem(TreeModel& tree, float radius, float top, float light, float other = 0) {
     constexpr int kSides = 5;
     for (int i = 0; i < kSides; ++i) {
         const glm::vec3 from = direction(static_cast<float>(i) / kSides),
@@ -50,8 +29,8 @@ void add_stem(Conifer& tree, float radius, float top, float light) {
         const float left = std::max(1 - top, 0.f);  // of its radius, where it ends
         const glm::vec3 a = radius * from - 0.03f * kUp, b = radius * to - 0.03f * kUp;
         const glm::vec3 c = radius * left * from + top * kUp, d = radius * left * to + top * kUp;
-        tree.push_back({a, b, d, from, 0, light});
-        tree.push_back({a, d, c, from, 0, light});
+        tree.push_back({a, b, d, from, other, light});
+        tree.push_back({a, d, c, from, other, light});
     }
 }
 
@@ -80,17 +59,17 @@ struct Branch {
     }
 };
 
-void add_wood(Conifer& tree, const Branch& branch) {
+void add_wood(TreeModel& tree, const Branch& branch, float other = 0) {
     constexpr int kParts = 4;
     for (int k = 0; k < kParts; ++k) {
         const glm::vec3 from = branch.at(static_cast<float>(k) / kParts),
                         to = branch.at(static_cast<float>(k + 1) / kParts);
         tree.push_back({from - branch.thick * kUp, from + branch.thick * kUp, to,
-                        glm::normalize(branch.out() + kUp), 0, 0.7f * branch.light(from)});
+                        glm::normalize(branch.out() + kUp), other, 0.7f * branch.light(from)});
     }
 }
 
-void add_twigs(Conifer& tree, const Branch& branch, Chance& chance) {
+void add_twigs(TreeModel& tree, const Branch& branch, Chance& chance) {
     const glm::vec3 out = branch.out();
     const float own = chance(0.8f, 1.15f);
     for (int k = 0; k < branch.twigs; ++k)
@@ -114,7 +93,7 @@ void add_twigs(Conifer& tree, const Branch& branch, Chance& chance) {
 }
 
 // A roof of snow along a branch, in pieces.
-void add_snow(Conifer& tree, const Branch& branch, Chance& chance) {
+void add_snow(TreeModel& tree, const Branch& branch, Chance& chance) {
     if (chance() > branch.snowy) return;
     const glm::vec3 out = branch.out();
     const float first = chance(0.12f, 0.40f), last = chance(0.72f, 1.02f);
@@ -141,7 +120,7 @@ void add_snow(Conifer& tree, const Branch& branch, Chance& chance) {
     }
 }
 
-void add_branch(Conifer& tree, const Branch& branch, Chance& chance) {
+void add_branch(TreeModel& tree, const Branch& branch, Chance& chance) {
     add_wood(tree, branch);
     add_twigs(tree, branch, chance);
     add_snow(tree, branch, chance);
@@ -149,9 +128,9 @@ void add_branch(Conifer& tree, const Branch& branch, Chance& chance) {
 
 }  // namespace
 
-Conifer grow_spruce(std::uint32_t seed, float snowy, float top) {
+TreeModel grow_spruce(std::uint32_t seed, float snowy, float top) {
     Chance chance(seed);
-    Conifer tree;
+    TreeModel tree;
     add_stem(tree, 0.014f, std::min(top, 0.97f), 0.35f);
     const float slim = chance(0.85f, 1.1f), bulge = chance(0.72f, 0.95f), bare = chance(0.03f, 0.09f);
     const int whorls = 24 + static_cast<int>(chance(0, 6));
@@ -201,9 +180,9 @@ Conifer grow_spruce(std::uint32_t seed, float snowy, float top) {
     return tree;
 }
 
-Conifer grow_larch(std::uint32_t seed) {
+TreeModel grow_larch(std::uint32_t seed) {
     Chance chance(seed);
-    Conifer tree;
+    TreeModel tree;
     add_stem(tree, 0.0095f, 0.99f, 0.75f);
     float turns = 0;
     constexpr int kWhorls = 22, kBranches = 4;
@@ -233,9 +212,41 @@ Conifer grow_larch(std::uint32_t seed) {
     return tree;
 }
 
-Conifer grow_dwarf_pine(std::uint32_t seed) {
+TreeModel grow_green_larch(std::uint32_t seed) {
     Chance chance(seed);
-    Conifer tree;
+    TreeModel tree;
+    add_stem(tree, 0.0115f, 0.97f, 0.55f, 1);
+    float turns = 0;
+    constexpr int kWhorls = 26, kBranches = 5;
+    for (int i = 0; i < kWhorls; ++i) {
+        const float up = (static_cast<float>(i) + chance()) / kWhorls;
+        const float crown = kConiferRadius * rooted(1 - up, 0.78f) + 0.012f;
+        for (int k = 0; k < kBranches; ++k) {
+            turns += 1.0f / kBranches + chance(-0.07f, 0.07f);
+            const Branch branch{.foot = 0.10f + 0.88f * up + chance(-0.02f, 0.02f),
+                                .turns = turns,
+                                .length = crown * chance(0.55f, 1.12f),
+                                .rise = glm::mix(0.0f, 0.7f, up),
+                                .droop = 0.30f,
+                                .lift = 0.28f,
+                                .width = 0.30f,
+                                .crown = crown,
+                                .twigs = 8,
+                                .thick = 0.0026f,
+                                .needles = 0.0052f,
+                                .snowy = 0,
+                                .frosted = 0};
+            add_wood(tree, branch, 1);
+            add_twigs(tree, branch, chance);
+        }
+        turns += 0.11f;
+    }
+    return tree;
+}
+
+TreeModel grow_dwarf_pine(std::uint32_t seed) {
+    Chance chance(seed);
+    TreeModel tree;
     constexpr int kTufts = 170, kNeedles = 40, kSides = 9;
     for (int i = 0; i < kTufts; ++i) {
         const glm::vec3 way = direction(chance());
@@ -271,24 +282,24 @@ Conifer grow_dwarf_pine(std::uint32_t seed) {
     return tree;
 }
 
-Conifer grow_group(std::uint32_t seed) {
+TreeModel grow_group(std::uint32_t seed) {
     Chance chance(seed);
-    Conifer group;
+    TreeModel group;
     constexpr int kTrees = 12;
-    const std::array<Conifer, 2> kinds{grow_spruce(seed + 1, 0.68f), grow_spruce(seed + 2, 0.45f)};
+    const std::array<TreeModel, 2> kinds{grow_spruce(seed + 1, 0.68f), grow_spruce(seed + 2, 0.45f)};
     for (int i = 0; i < kTrees; ++i) {
         const float x = glm::mix(-0.82f, 0.82f, (static_cast<float>(i) + chance()) / kTrees),
                     y = chance(-0.35f, 0.35f);
         // Lower at the ends, so that it goes over into the next one.
         const float high = chance(0.5f, 1.0f) * (1 - 0.3f * x * x), wide = 1.4f * std::min(high + 0.1f, 1.f);
         const float bright = chance(0.8f, 1.15f);
-        for (const ConiferFace& face : kinds[static_cast<std::size_t>(i) % 2]) {
+        for (const TreeFace& face : kinds[static_cast<std::size_t>(i) % 2]) {
             const auto put = [&](glm::vec3 p) {
                 return glm::vec3(p.x * wide + x, p.y * wide + y, p.z * high);
             };
             // Within a stand feet are dark.
             const float light = face.light * bright * (0.85f + 0.35f * ramp(0.1f, 0.7f, face.a.z));
-            group.push_back({put(face.a), put(face.b), put(face.c), face.normal, face.snow, light});
+            group.push_back({put(face.a), put(face.b), put(face.c), face.normal, face.other, light});
         }
     }
     return group;

@@ -1,6 +1,7 @@
 #include "render/passes/trees_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,12 @@ namespace render {
 
 namespace {
 
-// Pictures of trees: their levels are below each other in the file.
-tl::expected<Texture, std::string> load_pictures(const std::filesystem::path& file) {
+// The files with pictures of trees, side by side in one texture.
+constexpr std::array kPictures{"conifers.png", "trees-in-leaf.png"};
+
+// Loads one of them. Its levels are below each other in the file.
+tl::expected<void, std::string> load_pictures(const std::filesystem::path& file, int left,
+                                              const Texture& into) {
     constexpr int kWidth = TREE_COLUMNS * TREE_TILE_WIDTH, kHeight = TREE_ROWS * TREE_TILE_HEIGHT;
     const auto texels = read_png(file, 3);
     if (!texels) return tl::unexpected(texels.error());
@@ -26,19 +31,29 @@ tl::expected<Texture, std::string> load_pictures(const std::filesystem::path& fi
     if (texels->width != kWidth || texels->height != height)
         return tl::unexpected(fmt::format("{}: is {} x {} pixels; pictures of trees are {} x {}",
                                           file.string(), texels->width, texels->height, kWidth, height));
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    Texture pictures(name);
-    glTextureStorage2D(name, TREE_LEVELS, GL_RGBA8, kWidth, kHeight);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, kWidth);
     for (int level = 0, rows = height; level < TREE_LEVELS; ++level) {
         rows -= kHeight >> level;
-        glTextureSubImage2D(name, level, 0, 0, kWidth >> level, kHeight >> level, GL_RGB, GL_UNSIGNED_BYTE,
-                            &texels->values[3 * static_cast<std::size_t>(rows) * kWidth]);
+        glTextureSubImage2D(into.name(), level, left >> level, 0, kWidth >> level, kHeight >> level, GL_RGB,
+                            GL_UNSIGNED_BYTE, &texels->values[3 * static_cast<std::size_t>(rows) * kWidth]);
     }
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    return {};
+}
+
+tl::expected<Texture, std::string> load_all_pictures(const std::filesystem::path& folder) {
+    constexpr int kWidth = TREE_COLUMNS * TREE_TILE_WIDTH, kFiles = kPictures.size();
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    Texture pictures(name);
+    glTextureStorage2D(name, TREE_LEVELS, GL_RGBA8, kFiles * kWidth, TREE_ROWS * TREE_TILE_HEIGHT);
+    for (int i = 0; i < kFiles; ++i)
+        if (auto loaded =
+                load_pictures(folder / kPictures[static_cast<std::size_t>(i)], i * kWidth, pictures);
+            !loaded)
+            return tl::unexpected(loaded.error());
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return pictures;
@@ -63,7 +78,7 @@ tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::pa
         if (!linked) return tl::unexpected(linked.error());
         *program = std::move(*linked);
     }
-    auto pictures = load_pictures(assets / "textures" / "conifers.png");
+    auto pictures = load_all_pictures(assets / "textures");
     if (!pictures) return tl::unexpected(pictures.error());
     pass.pictures_ = std::move(*pictures);
     return pass;

@@ -17,7 +17,7 @@
 
 namespace render {
 
-// Draws conifers and their shadows on the ground.
+// Draws trees and their shadows on the ground.
 class TreesPass {
   public:
     // Errors, in one sentence with the file: those of a shader, and pictures of trees that cannot be read or have another size.

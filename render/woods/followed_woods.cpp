@@ -124,15 +124,15 @@ void FollowedWoods::begin(const World& world) {
 void FollowedWoods::find_own(const Woods& woods) {
     forest_of_own_ = forest_of(woods, grid_);
     for (const Tree& tree : woods.trees())
-        if (tree.vertex >= 0) ++first_own_[static_cast<std::size_t>(tree.vertex) + 1];
+        if (is_of_forest(tree)) ++first_own_[static_cast<std::size_t>(tree.vertex) + 1];
     for (std::size_t i = 1; i < first_own_.size(); ++i) first_own_[i] += first_own_[i - 1];
     own_.resize(first_own_.back());
     std::vector<std::uint32_t> next(first_own_.begin(), first_own_.end() - 1);
     for (std::uint32_t plot = 0; plot < woods.tiles().size(); ++plot) {
         const TreeTile& tile = woods.tiles()[plot];
         for (std::uint32_t i = tile.first; i < tile.first + tile.count; ++i)
-            if (const std::int32_t vertex = woods.trees()[i].vertex; vertex >= 0)
-                own_[next[static_cast<std::size_t>(vertex)]++] = {i, plot};
+            if (const Tree& tree = woods.trees()[i]; is_of_forest(tree))
+                own_[next[static_cast<std::size_t>(tree.vertex)]++] = {i, plot};
     }
 }
 
@@ -262,7 +262,7 @@ void FollowedWoods::grow_own(std::size_t plot, const Woods& woods) {
         Tree tree = woods.trees()[i];
         if (is_built_on(tree)) continue;
         const auto order = static_cast<float>(i - tile.first);
-        if (tree.vertex < 0 || own_.empty()) {
+        if (!is_of_forest(tree) || own_.empty()) {
             grown_.push_back({order, tree});
             continue;
         }

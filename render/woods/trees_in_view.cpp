@@ -7,8 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/base/conifer.h"
 #include "render/base/ramp.h"
+#include "render/base/tree_model.h"
 
 namespace render {
 namespace {
@@ -22,9 +22,12 @@ constexpr float kMeanWidth = 5;                                                 
 // One that stands for few is a larger tree, one that stands for more a group of them side by side, which is
 // not as wide because it has no flanks to its foot.
 constexpr float kGroup = 8, kWidthOfGroup = 0.75f;
-constexpr float kTaller = 0.4f;       // power of how many it stands for by which one is taller
+constexpr float kTaller = 0.4f;  // power of how many it stands for by which one is taller
+constexpr float kBushGone = 4,
+                kBushWhole = 16;  // pixels of height: below the first none is drawn, from the second on all
 constexpr float kLongestShadow = 36;  // m
-constexpr float kShadowPixels = 7;  // height below which a tree casts none, or four times that within a stand
+constexpr float kShadowPixels =
+    7;  // height below which a tree casts none, or four times that within a stand, and a bush
 constexpr float kShallow = 0.15f,
                 kDeep = 0.6f;  // m: a flow bends a tree from the first on, and from the second breaks it
 constexpr float kSlow = 1.5f, kFast = 4.5f;  // m/s, the same
@@ -101,7 +104,7 @@ void lay(const Tree& tree, const sim::View& world, float lying, DrawnTree& drawn
         glm::vec2(tree.downhill.x - aside * tree.downhill.y, tree.downhill.y + aside * tree.downhill.x) /
         std::sqrt(1 + aside * aside);
     const glm::vec2 root(tree.foot), top = root + tree.height * along;
-    const float radius = kCrushed * kConiferRadius * tree.height;
+    const float radius = kCrushed * std::min(radius_of(tree.kind), kConiferRadius) * tree.height;
     // Some lie on the deposit, and some look out of it with one end.
     const float root_z =
         std::lerp(tree.foot.z, surface(world, root) + radius * (0.5f - 1.2f * own(tree, 71.9f)), lying);
@@ -170,7 +173,9 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
             const Tree& tree = of.trees[i];
             const float distance = std::max(glm::distance(tree.foot, eye), 1.f);
             // One that is left out shrinks first.
-            const float share = share_at(distance, tree.group);
+            const bool bush = tree.kind == TreeKind::kBush;
+            const float share = bush ? ramp(kBushGone, kBushWhole, tree.height / (distance * pixel))
+                                     : share_at(distance, tree.group);
             const float rank = (static_cast<float>(k) + first) / static_cast<float>(tile.count);
             if (rank >= share) continue;
             const float kept =
@@ -179,15 +184,15 @@ void TreesInView::find(const LitTrees& of, const FrameBlock& frame, const OnScre
             if (is_beside(tree.foot - eye, frame, kLongestShadow + tree.height)) continue;
 
             // Near the eye it is one tree, even if it stands for more.
-            const float together = std::min(tree.group / share, together_at(distance)),
+            const float together = bush ? 1.f : std::min(tree.group / share, together_at(distance)),
                         taller = std::pow(std::min(together, kGroup), kTaller);
             const float height = tree.height * kept * taller, high = height / (distance * pixel);
             const bool group = together > kGroup;
-            const float wide = (tree.kind == TreeKind::kPine ? kCushionRadius : kConiferRadius) *
-                               tree.height * kept * together / taller * (1 + kWiderInStand * tree.closed);
+            const float wide = radius_of(tree.kind) * tree.height * kept * together / taller *
+                               (1 + kWiderInStand * tree.closed);
             const float half = std::max(group ? kWidthOfGroup * wide : wide, 0.6f * kept * distance * pixel);
             const float shadow =
-                of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (1 + 3 * tree.closed)));
+                of.lights[i].sunlit * ramp(1, 2, high / (kShadowPixels * (bush ? 4 : 1 + 3 * tree.closed)));
             upright_.push_back({{{tree.foot, height},
                                  {upright(tree), tree.chance},
                                  {of.lights[i].sunlit, 0, tree.lower, half},

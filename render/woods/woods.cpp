@@ -12,6 +12,7 @@
 
 #include "render/base/noise.h"
 #include "render/base/ramp.h"
+#include "render/base/tree_model.h"
 #include "render/mountain/surroundings_mesh.h"
 #include "sim/core/check.h"
 
@@ -21,10 +22,13 @@ namespace {
 constexpr double kMostPlaces = 2'500'000;  // that are looked at, half a second
 constexpr double kLastTree = 1.4;          // longer sides, from the grid to the last tree
 constexpr double kTilesAlongSide = 24;
-constexpr double kShortest = 9, kTallest = 23;       // m, of full-grown trees
-constexpr double kLeastPine = 1.2, kMostPine = 2.6;  // m, heights of dwarf pine
-constexpr double kSunk = 0.4;                        // m, so that no foot hangs over a slope
-constexpr int kPlacesPeriod = 1 << 20;               // places until the hash repeats: more than there are
+constexpr double kShortest = 9, kTallest = 23;           // m, of full-grown trees
+constexpr double kLeastPine = 1.2, kMostPine = 2.6;      // m, heights of dwarf pine
+constexpr double kSunk = 0.4;                            // m, so that no foot hangs over a slope
+constexpr double kBushesPerHectare = 400;                // in a closed thicket
+constexpr double kLastBush = 0.25;                       // longer sides, from the grid to the last bush
+constexpr double kLowestBush = 1.9, kTallestBush = 4.4;  // m
+constexpr int kPlacesPeriod = 1 << 20;                   // places until the hash repeats: more than there are
 
 // −1 to 1, by a lattice of places `wavelength` metres apart.
 double noise(glm::dvec2 at, double wavelength, std::uint32_t seed) {
@@ -44,6 +48,8 @@ struct Site {
     double share = 0;   // of the closed wood's density, 0 to 1
     double closed = 0;  // 1 within a stand, 0 outside
     double below = 0;   // m, below the tree line here; above it less than 0
+    double gully = 0;   // 1 in a hollow across the slope, 0 outside
+    double bushy = 0;   // of a closed thicket's density, 0 to 1
     Ground ground;
 };
 
@@ -75,6 +81,7 @@ class Growth {
         if (site.below < 0) return site;
         if (!rules_.shares.empty()) {
             site.share = site.closed = wanted_share(at) * ramp(1.0, 0.9, steep) * ramp(0, 12, site.below);
+            site.bushy = bushy(at, site, site.share, steep);
             return site;
         }
         const double level = ramp(0.07, 0.17, steep + 0.05 * noise(at, 120, rules_.seed + 2));
@@ -94,11 +101,13 @@ class Growth {
         site.share =
             glm::mix(single, 0.72 + 0.28 * ramp(-0.6, 0.2, noise(at, 23, rules_.seed + 4)), site.closed);
         site.share *= ramp(0, 12, site.below);
+        site.gully = gully;
+        site.bushy = bushy(at, site, near_stand * level * (1 - rock), steep);
         return site;
     }
 
     // Higher up trees are smaller, and within a stand they are taller than at its edge.
-    Tree tree(const Site& site, double chance) const {
+    Tree tree(glm::dvec2 at, const Site& site, double chance) const {
         Tree tree;
         tree.kind = kind(site, chance);
         const double size = tree.kind == TreeKind::kPine
@@ -110,10 +119,53 @@ class Growth {
         tree.closed = static_cast<float>(site.closed);
         const double steep = glm::length(site.ground.slope);
         tree.downhill = steep > 0 ? glm::vec2(-site.ground.slope / steep) : glm::vec2(1, 0);
+        if (rules_.mixed) tree.kind = kind_in_mixed_wood(at, site, tree.kind, chance);
+        return tree;
+    }
+
+    Tree bush(const Site& site, double chance) const {
+        Tree tree;
+        tree.kind = TreeKind::kBush;
+        tree.height = static_cast<float>(glm::mix(kLowestBush, kTallestBush, chance * chance));
+        tree.closed = static_cast<float>(site.closed);
+        const double steep = glm::length(site.ground.slope);
+        tree.downhill = steep > 0 ? glm::vec2(-site.ground.slope / steep) : glm::vec2(1, 0);
         return tree;
     }
 
   private:
+    // Thickets follow the edges of stands and gullies; under a closed wood there are few, and on rock none.
+    double bushy(glm::dvec2 at, const Site& site, double near_stand, double steep) const {
+        if (!rules_.mixed) return 0;
+        const double clumps =
+            ramp(0.12, 0.50, noise(at, 31, rules_.seed + 8) + 0.40 * noise(at, 11, rules_.seed + 9));
+        const double edge = near_stand * (1 - site.closed) + 0.10 * site.closed;
+        return clumps * std::min(edge + 0.8 * site.gully, 1.0) * ramp(0.90, 0.70, steep) *
+               ramp(0, 25, site.below);
+    }
+
+    // By height below the tree line, slope and aspect: from below beech, beech with spruce, spruce with larch, larch with dwarf pine.
+    // Birches come first where nothing else grows yet: at edges, in gullies and where these end. A patch has mostly one kind.
+    TreeKind kind_in_mixed_wood(glm::dvec2 at, const Site& site, TreeKind winter, double chance) const {
+        if (winter == TreeKind::kPine) return winter;
+        const auto random = [&](double factor) { return chance * factor - std::floor(chance * factor); };
+        const double steep = glm::length(site.ground.slope), patch = noise(at, 75, rules_.seed + 6),
+                     wide_patch = noise(at, 210, rules_.seed + 7);
+        const double open = 1 - site.closed;
+        const double pioneer = ramp(40, 150, site.below) *
+                               std::min(0.06 + 0.50 * open + 0.35 * site.gully, 0.75) *
+                               ramp(-0.7, 0.5, patch + 0.3);
+        if (random(127) < pioneer) return TreeKind::kBirch;
+        const double low =
+            site.below + 130 * patch + 90 * wide_patch + 160 * site.gully - 220 * ramp(0.5, 0.95, steep);
+        if (random(211) < 0.93 * ramp(170, 520, low)) return TreeKind::kBeech;
+        // Larches want light: near the line, at edges and on sunny slopes.
+        const double sunny = site.ground.slope.y / std::sqrt(1 + steep * steep);
+        const double larch = glm::mix(0.08, 0.62, ramp(260, 30, site.below - 60 * wide_patch)) +
+                             0.25 * open * ramp(420, 200, site.below) + 0.25 * std::clamp(sunny, -0.4, 0.4);
+        return random(331) < larch ? TreeKind::kLarch : TreeKind::kSpruce;
+    }
+
     // Dwarf pine and larches grow near the line.
     static TreeKind kind(const Site& site, double chance) {
         const double other =
@@ -212,6 +264,53 @@ bool earlier(const Grown& a, const Grown& b) {
     return std::tuple(a.order, a.place.y, a.place.x) < std::tuple(b.order, b.place.y, b.place.x);
 }
 
+// Its foot, and the cover of tick 0 there.
+void put_on_ground(const Surroundings& around, glm::dvec2 at, const Site& site, Tree& tree) {
+    tree.foot = glm::dvec3(at, site.ground.z - kSunk);
+    const glm::dvec2 source = around.source(at), cell = glm::round(source / around.cell());
+    const auto vertex =
+        static_cast<std::int32_t>(cell.y) * around.columns() + static_cast<std::int32_t>(cell.x);
+    glm::dvec2 cover(around.cover()[static_cast<std::size_t>(vertex)]);
+    const bool outside = around.away(at) > 0;
+    if (outside) cover += around.cover_by_height(at);
+    tree.snow = static_cast<float>(std::max(cover.x, 0.0));
+    tree.lower = static_cast<float>(glm::clamp(cover.y, 0.0, 1.0));
+    tree.vertex = outside ? -1 : vertex;
+}
+
+// Bushes of a mixed wood, one place in each square of a finer lattice.
+std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, std::uint32_t seed,
+                            std::span<const Clearing> clearings) {
+    const double reach = kLastBush * around.side();
+    const glm::dvec2 span = around.size() + 2 * reach;
+    const double spacing =
+        std::max(100 / std::sqrt(kBushesPerHectare), std::sqrt(span.x * span.y / kMostPlaces));
+    const auto own = [&](int x, int y, std::uint32_t kind) {
+        return hash(x, y, kPlacesPeriod, 16 * seed + kind);
+    };
+    std::vector<Grown> grown;
+    const auto first = glm::ivec2(glm::floor(-reach / spacing)),
+               last = glm::ivec2((around.size() + reach) / spacing);
+    for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x) {
+            const glm::dvec2 at = spacing * (glm::dvec2(x, y) + glm::dvec2(own(x, y, 8), own(x, y, 9)));
+            if (around.away(at) > reach) continue;
+            const Site site = growth.site(at);
+            if (static_cast<double>(own(x, y, 10)) >= site.bushy || is_cleared(at, clearings)) continue;
+            Tree tree = growth.bush(site, own(x, y, 11));
+            tree.group = 1;
+            tree.chance = own(x, y, 12);
+            put_on_ground(around, at, site, tree);
+            tree.snow_near = snow_near(around, at);
+            grown.push_back({own(x, y, 13), {x, y}, tree});
+        }
+    std::ranges::sort(grown, earlier);
+    grown.resize(std::min(grown.size(), Woods::kMostBushes));
+    std::vector<Tree> bushes;
+    for (const Grown& each : grown) bushes.push_back(each.tree);
+    return bushes;
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
     hash = (hash ^ word) * 0x100000001b3u;
     return hash ^ (hash >> 29);
@@ -234,6 +333,25 @@ float snow_near(const Surroundings& around, glm::dvec2 at) {
             most = std::max(most, cover.x);
     if (around.away(at) > 0) most += static_cast<float>(around.cover_by_height(at).x);
     return std::max(most, 0.f);
+}
+
+bool is_of_forest(const Tree& tree) {
+    return tree.vertex >= 0 && tree.kind != TreeKind::kBush;
+}
+
+float radius_of(TreeKind kind) {
+    switch (kind) {
+        case TreeKind::kPine:
+            return kCushionRadius;
+        case TreeKind::kBeech:
+            return kBeechRadius;
+        case TreeKind::kBirch:
+            return kBirchRadius;
+        case TreeKind::kBush:
+            return kBushRadius;
+        default:
+            return kConiferRadius;
+    }
 }
 
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
@@ -266,19 +384,10 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
             if (keep >= 1) continue;
             const Site site = growth.site(at);
             if (keep >= site.share || is_cleared(at, clearings)) continue;
-            Tree tree = growth.tree(site, own(x, y, 3));
+            Tree tree = growth.tree(at, site, own(x, y, 3));
             tree.group = static_cast<float>(group);
-            tree.foot = glm::dvec3(at, site.ground.z - kSunk);
             tree.chance = own(x, y, 4);
-            const glm::dvec2 source = around.source(at), cell = glm::round(source / around.cell());
-            const auto vertex =
-                static_cast<std::int32_t>(cell.y) * around.columns() + static_cast<std::int32_t>(cell.x);
-            glm::dvec2 cover(around.cover()[static_cast<std::size_t>(vertex)]);
-            const bool outside = around.away(at) > 0;
-            if (outside) cover += around.cover_by_height(at);
-            tree.snow = static_cast<float>(std::max(cover.x, 0.0));
-            tree.lower = static_cast<float>(glm::clamp(cover.y, 0.0, 1.0));
-            tree.vertex = outside ? -1 : vertex;
+            put_on_ground(around, at, site, tree);
             grown.push_back({own(x, y, 5), {x, y}, tree});
             ++count;
             if (grown.size() == 2 * kMost) keep_first();
@@ -290,14 +399,19 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     // Those that are left out stand with those that are kept, as far as they are drawn together.
     const float together =
         grown.empty() ? 1.f : static_cast<float>(std::max(asked_ / static_cast<double>(grown.size()), 1.0));
+    std::vector<Tree> trees;
     for (const Grown& each : grown) {
-        trees_.push_back(each.tree);
-        trees_.back().group = std::min(trees_.back().group * together, kMostTogether);
-        trees_.back().snow_near = snow_near(around, glm::dvec2(each.tree.foot));
+        trees.push_back(each.tree);
+        trees.back().group = std::min(trees.back().group * together, kMostTogether);
+        trees.back().snow_near = snow_near(around, glm::dvec2(each.tree.foot));
     }
-    sort_into_tiles(around.side() / kTilesAlongSide);
+    const double tile_m = around.side() / kTilesAlongSide;
+    sort_into_tiles(tile_m, trees);
+    // Bushes have tiles of their own, because fewer of them are seen from afar.
+    if (rules.mixed) sort_into_tiles(tile_m, bushes_of(around, growth, rules.seed, clearings));
     put_on_mesh(around);
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);
+    if (rules.mixed) fingerprint_ = mixed(fingerprint_, 1);
     for (const Clearing& each : clearings)
         for (const double number : {each.from.x, each.from.y, each.to.x, each.to.y, each.reach})
             fingerprint_ = mixed(fingerprint_, std::hash<double>()(number));
@@ -318,7 +432,7 @@ std::vector<sim::Stems> forest_of(const Woods& woods, const sim::Grid& grid) {
     std::vector<std::uint32_t> count(grid.size());
     std::vector<double> height(grid.size());
     for (const Tree& tree : woods.trees()) {
-        if (tree.vertex < 0) continue;
+        if (!is_of_forest(tree)) continue;
         ++count[static_cast<std::size_t>(tree.vertex)];
         height[static_cast<std::size_t>(tree.vertex)] += static_cast<double>(tree.height);
     }
@@ -338,13 +452,12 @@ std::vector<sim::Stems> forest_of(const Woods& woods, const sim::Grid& grid) {
     return forest;
 }
 
-void Woods::sort_into_tiles(double tile_m) {
+void Woods::sort_into_tiles(double tile_m, std::span<const Tree> trees) {
     std::map<std::pair<int, int>, std::vector<Tree>> squares;
-    for (const Tree& tree : trees_) {
+    for (const Tree& tree : trees) {
         const glm::ivec2 square(glm::floor(glm::dvec2(tree.foot) / tile_m));
         squares[{square.y, square.x}].push_back(tree);
     }
-    trees_.clear();
     for (const auto& [square, inside] : squares) {
         TreeTile tile{static_cast<std::uint32_t>(trees_.size()), static_cast<std::uint32_t>(inside.size())};
         tile.lowest = glm::vec3(1e30f), tile.highest = glm::vec3(-1e30f);

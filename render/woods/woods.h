@@ -13,7 +13,7 @@
 
 namespace render {
 
-// How conifers stand on a mountain. It belongs to a scene, never to the simulation.
+// How trees stand on a mountain. It belongs to a scene, never to the simulation.
 struct TreeRules {
     static constexpr double kDensest = 1e6;  // trees per hectare that can be asked for
 
@@ -26,6 +26,9 @@ struct TreeRules {
     // For each vertex of the grid, row 0 the south: the share of the closed wood that grows there, 0 to 255
     // for 0 to 1. Then none grows outside the grid. None: stands as this program makes them.
     std::vector<std::uint8_t> shares = {};
+    // Which kinds grow, as for a day of the year: with larches, broad-leaved trees and bushes. Else conifers of a winter. Number,
+    // place and height of trees are the same, so that a forest in the state is.
+    bool mixed = false;
     bool operator==(const TreeRules&) const = default;
 };
 
@@ -33,7 +36,12 @@ enum class TreeKind : std::int32_t {
     kSpruce,  // dark, with needles and snow
     kLarch,   // bare in winter, light brown
     kPine,    // dwarf pine: a low cushion
+    kBeech,   // and what else has a broad crown
+    kBirch,
+    kBush,  // hazel, willow, green alder; it belongs to no forest, and a flow lays it
 };
+// Half the width of a crown, in heights of the tree.
+float radius_of(TreeKind kind);
 
 // By what a tree stands or lies.
 enum class TreeFate : std::int32_t {
@@ -42,7 +50,7 @@ enum class TreeFate : std::int32_t {
     kLies,
 };
 
-// A conifer where it grew, or outside the grid a group of them. Space as in shaders.
+// A tree where it grew, or outside the grid a group of them. Space as in shaders.
 struct Tree {
     glm::vec3 foot;       // m, on the ground at tick 0
     float height;         // m
@@ -57,6 +65,9 @@ struct Tree {
     TreeKind kind;
     TreeFate fate = TreeFate::kOfFlow;
 };
+
+// Whether the stems of a world's forest count it: trees on the grid are, bushes are not.
+bool is_of_forest(const Tree& tree);
 
 // The greatest depth of the standing layer within some 25 m of a place at tick 0, m.
 float snow_near(const Surroundings& around, glm::dvec2 at);
@@ -74,18 +85,20 @@ struct TreeTile {
     glm::vec3 lowest{0}, highest{0};     // corners of the box around feet and tops, m
 };
 
-// The conifers of a world, on its grid and on the mountains around it. They stand in closed stands with clear
+// The trees of a world, on its grid and on the mountains around it. They stand in closed stands with clear
 // edges on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and
 // follow ribs; single trees and dwarf pine are between them. In gullies, where avalanches run, only some
-// trees stand. A view: nothing else knows of them, unless they act.
+// trees stand. Of mixed woods broad-leaved trees are low and on gentle ground, larches high, and birches and bushes where the wood is
+// open. A view: nothing else knows of them, unless they act.
 //
 // A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around
 // it are equal on one machine, as Surroundings are.
 class Woods {
   public:
     static constexpr std::size_t kMost = 80'000;  // trees; of more, an even share is kept
-    static constexpr float kMostTogether = 20;    // trees that one stands for
-    static constexpr float kLargestGroup = 16;    // trees that one far from the grid stands for
+    static constexpr std::size_t kMostBushes = 30'000;
+    static constexpr float kMostTogether = 20;  // trees that one stands for
+    static constexpr float kLargestGroup = 16;  // trees that one far from the grid stands for
 
     // None.
     Woods() = default;
@@ -111,7 +124,7 @@ class Woods {
 
   private:
     void put_on_mesh(const Surroundings& around);
-    void sort_into_tiles(double tile_m);
+    void sort_into_tiles(double tile_m, std::span<const Tree> trees);
 
     std::vector<Tree> trees_;
     std::vector<TreeTile> tiles_;

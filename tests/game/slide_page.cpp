@@ -217,10 +217,22 @@ TEST_F(SlidePages, are_the_same_bytes_for_the_same_slide) {
     EXPECT_TRUE(read_bytes(file()) == once);
 }
 
+TEST_F(SlidePages, carry_trees_in_leaf_if_a_day_of_the_year_is_stated) {
+    Scene scene = scene_of("winter-avalanche");
+    scene.scenario.look.date = render::Date{7, 15};
+    ASSERT_TRUE(write(scene, 1, {.plays = false}));
+    const UnpackedPage page = this->page();
+    EXPECT_EQ(page.array("trees.in_leaf").size(), page.array("trees.pictures").size());
+    const std::vector<double> kinds = page.array("trees.kind");
+    for (const auto kind : {render::TreeKind::kBeech, render::TreeKind::kBirch, render::TreeKind::kBush})
+        EXPECT_GT(std::ranges::count(kinds, static_cast<double>(kind)), 10);
+}
+
 TEST_F(SlidePages, have_peaks_woods_and_puffs_as_the_program_has) {
     const Scene scene = scene_of("winter-avalanche", 48);
     ASSERT_TRUE(write(scene, 2700));
     const UnpackedPage page = this->page();
+    EXPECT_FALSE(page.info()["arrays"].contains("trees.in_leaf")) << "no day of the year is stated";
     const auto trees = static_cast<std::size_t>(page.info()["arrays"]["trees.x"]["size"][0]);
     EXPECT_GT(trees, 1000u);
     double counted = 0;

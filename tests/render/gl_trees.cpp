@@ -3,7 +3,7 @@
 #include "tests/render/gl_scene.h"
 #include "tests/render/mountains.h"
 
-// Conifers in the image.
+// Trees in the image.
 namespace render::test {
 namespace {
 
@@ -86,6 +86,34 @@ TEST_F(DrawnTrees, of_a_closed_wood_are_as_dark_from_far_as_from_near) {
     EXPECT_LT(near, 150);
     EXPECT_NEAR(mean(700), near, 15);
     EXPECT_NEAR(mean(1000), near, 15);
+}
+
+TEST_F(DrawnTrees, are_green_in_summer_gold_in_autumn_and_bare_in_winter) {
+    world_.depth.fill(0);
+    around_ = mountains_around(world_);
+    TreeRules rules{.density = 700, .line_m = 900, .seed = 3};
+    const Picture without_date = [&] {
+        const Woods winter(around_, rules, 0);
+        return drawn(&winter, &around_);
+    }();
+    rules.mixed = true;
+    const Woods mixed(around_, rules, 0);
+    const auto on = [&](Date date) {
+        look_.date = date;
+        return drawn(&mixed, &around_);
+    };
+    const auto colour = [&](const Picture& picture) {
+        return mean_colour(picture, kPixels / 2, kPixels / 2, 20);
+    };
+    const Picture summer = on({7, 15}), autumn = on({10, 20}), winter = on({12, 20});
+    EXPECT_GT(differing(summer, without_date), 300);
+    EXPECT_GT(colour(summer)[1], colour(summer)[0] + 5) << "green";
+    EXPECT_GT(colour(autumn)[0], colour(autumn)[1] + 5) << "red and gold";
+    EXPECT_LT(std::abs(colour(winter)[0] - colour(winter)[1]), 12) << "grey";
+    EXPECT_TRUE(alike(on({7, 15}), summer));
+    look_.date.reset();
+    const Woods before(around_, {.density = 700, .line_m = 900, .seed = 3}, 0);
+    EXPECT_TRUE(alike(drawn(&before, &around_), without_date));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "render/frame/make_frame_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -218,6 +219,64 @@ TEST_F(WoodInValley, has_larches_and_dwarf_pine_near_the_tree_line_only) {
     EXPECT_GT(pines, 10);
 }
 
+// A mountain of a kilometre that rises to the north, with the tree line far above its foot.
+class MixedWood : public testing::Test {
+  protected:
+    Woods woods(bool mixed) const {
+        TreeRules rules{.density = 300, .line_m = 640, .seed = 7};
+        rules.mixed = mixed;
+        return {mountains_around(world), rules, world.datum};
+    }
+    World world = make_world(100, 10, [](double, double y) { return 0.55 * y; });
+};
+
+TEST_F(MixedWood, has_the_trees_of_a_winter_and_the_same_forest_and_bushes_besides) {
+    const Woods winter = woods(false), mixed = woods(true);
+    EXPECT_NE(winter.fingerprint(), mixed.fingerprint());
+    ASSERT_GT(mixed.trees().size(), winter.trees().size());
+    for (std::size_t i = 0; i < winter.trees().size(); ++i) {
+        Tree as_in_winter = mixed.trees()[i];
+        EXPECT_LE(winter.trees()[i].kind, TreeKind::kPine);
+        EXPECT_NE(as_in_winter.kind, TreeKind::kBush);
+        as_in_winter.kind = winter.trees()[i].kind;
+        EXPECT_EQ(std::memcmp(&as_in_winter, &winter.trees()[i], sizeof(Tree)), 0) << i;
+    }
+    for (const Tree& tree : mixed.trees().subspan(winter.trees().size())) {
+        EXPECT_EQ(tree.kind, TreeKind::kBush);
+        EXPECT_LT(tree.height, 5);
+    }
+    EXPECT_LE(mixed.trees().size() - winter.trees().size(), Woods::kMostBushes);
+    EXPECT_TRUE(forest_of(mixed, world.grid) == forest_of(winter, world.grid));
+}
+
+TEST_F(MixedWood, is_broad_leaved_low_mixed_between_and_of_conifers_at_the_line) {
+    enum Belt { kLow, kBetween, kHigh, kBelts };
+    std::array<std::array<int, 6>, kBelts> count{};
+    const Woods all = woods(true);
+    for (const Tree& tree : all.trees()) {
+        const float below = 640 - tree.foot.z;
+        const Belt belt = below > 480 ? kLow : below < 120 ? kHigh : kBetween;
+        ++count[belt][static_cast<std::size_t>(tree.kind)];
+    }
+    const auto share = [&](Belt belt, TreeKind kind) {
+        int trees = 0;
+        for (int i = 0; i < static_cast<int>(TreeKind::kBush); ++i)
+            trees += count[belt][static_cast<std::size_t>(i)];
+        EXPECT_GT(trees, 200) << belt;
+        return static_cast<double>(count[belt][static_cast<std::size_t>(kind)]) / trees;
+    };
+    EXPECT_GT(share(kLow, TreeKind::kBeech), 0.5);
+    EXPECT_GT(share(kBetween, TreeKind::kBeech), 0.15);
+    EXPECT_LT(share(kBetween, TreeKind::kBeech), 0.6);
+    EXPECT_LT(share(kHigh, TreeKind::kBeech), 0.02);
+    EXPECT_GT(share(kBetween, TreeKind::kSpruce), 0.15);
+    EXPECT_GT(share(kHigh, TreeKind::kLarch), 0.2);
+    EXPECT_GT(share(kHigh, TreeKind::kLarch), 2 * share(kLow, TreeKind::kLarch));
+    EXPECT_GT(share(kLow, TreeKind::kBirch) + share(kBetween, TreeKind::kBirch), 0.1);
+    EXPECT_EQ(share(kLow, TreeKind::kPine), 0);
+    EXPECT_GT(count[kLow][5] + count[kBetween][5] + count[kHigh][5], 100) << "bushes";
+}
+
 TEST_F(WoodInValley, stands_in_groups_far_from_the_grid) {
     float largest = 0;
     const Woods all = woods();
@@ -431,6 +490,23 @@ TEST_F(FollowedForest, lies_where_it_is_broken) {
         EXPECT_EQ(lying(tree, {}), tree.vertex < 0 ? 0 : 1);
         EXPECT_EQ(tree.fate, tree.vertex < 0 ? TreeFate::kOfFlow : TreeFate::kLies);
     }
+}
+
+TEST_F(FollowedForest, has_bushes_that_are_not_felled_with_it) {
+    TreeRules rules = kRules;
+    rules.mixed = true;
+    woods_ = woods(rules);
+    woods_.let_act();
+    set_forest(forest_of(woods_, world.grid));
+    EXPECT_EQ(follow().size(), woods_.trees().size());
+    set_forest(std::vector<sim::Stems>(world.grid.size()));
+    int bushes = 0;
+    for (const auto& [place, tree] : follow()) {
+        EXPECT_TRUE(tree.vertex < 0 || tree.kind == TreeKind::kBush);
+        EXPECT_TRUE(tree.kind != TreeKind::kBush || tree.fate == TreeFate::kOfFlow);
+        bushes += tree.kind == TreeKind::kBush && tree.vertex >= 0;
+    }
+    EXPECT_GT(bushes, 20);
 }
 
 TEST_F(FollowedForest, is_planted_besides_woods_that_are_a_view) {

@@ -1,4 +1,4 @@
-#include "render/textures/conifer_pictures.h"
+#include "render/textures/tree_pictures.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "assets/shaders/slots.glsl"
+#include "render/base/broad_leaved.h"
 #include "render/base/conifer.h"
 
 namespace render {
@@ -21,7 +22,7 @@ constexpr int kFine = 3;  // samples along the edge of a texel
 constexpr std::array<float, TREE_ROWS> kSines{TREE_ROW_SINES};
 
 struct Kind {
-    Conifer tree;
+    TreeModel tree;
     float radius;
     float
         least;  // coverage from which a texel of the first level shows the tree: twigs may be thinner than a texel
@@ -29,6 +30,22 @@ struct Kind {
 
 Kind kind_of(int column) {
     switch (column) {
+        case TREE_COLUMN_GREEN_LARCH:
+            return {grow_green_larch(27), kConiferRadius, 0.34f};
+        case TREE_COLUMN_BEECH:
+            return {grow_beech(51, 0.1f, Foliage::kLeaves), kBeechRadius, 0.42f};
+        case TREE_COLUMN_BEECH + 1:
+            return {grow_beech(52, 0.9f, Foliage::kLeaves), kBeechRadius, 0.42f};
+        case TREE_COLUMN_BIRCH:
+            return {grow_birch(61), kBirchRadius, 0.40f};
+        case TREE_COLUMN_BUSH:
+            return {grow_bush(71), kBushRadius, 0.42f};
+        case TREE_COLUMN_LEAVES:
+            return {grow_broad_leaved_group(81, Foliage::kLeaves), kGroupRadius, 0.42f};
+        case TREE_COLUMN_BARE:
+            return {grow_beech(53, 0.4f, Foliage::kBare), kBeechRadius, 0.36f};
+        case TREE_COLUMN_BARE_GROUP:
+            return {grow_broad_leaved_group(82, Foliage::kBare), kGroupRadius, 0.45f};
         case TREE_COLUMN_BROKEN:
             return {grow_spruce(17, 0.5f, 0.62f), kConiferRadius, 0.42f};
         case TREE_COLUMN_LARCH:
@@ -74,14 +91,13 @@ struct Sample {
     glm::vec4 shows{0};
 };
 
-void draw_face(const ConiferFace& face, const Seen& seen, int width, int height,
-               std::vector<Sample>& samples) {
+void draw_face(const TreeFace& face, const Seen& seen, int width, int height, std::vector<Sample>& samples) {
     const auto& [a, b, c] = seen;
     const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (std::abs(area) < 1e-4f) return;
     const auto low = glm::max(glm::ivec2(glm::min(a, glm::min(b, c))), glm::ivec2(0));
     const auto high = glm::min(glm::ivec2(glm::max(a, glm::max(b, c))) + 1, glm::ivec2(width, height) - 1);
-    const glm::vec4 shows(0.5f + 0.5f * face.normal.x, face.snow, std::min(face.light, 1.f), 1);
+    const glm::vec4 shows(0.5f + 0.5f * face.normal.x, face.other, std::min(face.light, 1.f), 1);
     for (int y = low.y; y <= high.y; ++y)
         for (int x = low.x; x <= high.x; ++x) {
             const float px = static_cast<float>(x) + 0.5f - a.x, py = static_cast<float>(y) + 0.5f - a.y;
@@ -106,7 +122,7 @@ Level drawn(const Kind& kind, float sine) {
                          p.z * sine - p.y * cosine);
     };
     std::vector<Sample> samples(static_cast<std::size_t>(kWidth) * kHeight);
-    for (const ConiferFace& face : kind.tree)
+    for (const TreeFace& face : kind.tree)
         draw_face(face, {seen(face.a), seen(face.b), seen(face.c)}, kWidth, kHeight, samples);
     Level level(TREE_TILE_WIDTH, TREE_TILE_HEIGHT);
     for (int y = 0; y < kHeight; ++y)
@@ -173,16 +189,15 @@ void write(const Level& level, const std::vector<bool>& shows, glm::vec2 brighte
         }
 }
 
-}  // namespace
-
-Picture conifer_pictures() {
+// Those of TREE_COLUMNS trees from a first one on.
+Picture pictures_from(int first_column) {
     constexpr int kHeight = TREE_ROWS * TREE_TILE_HEIGHT;
     Picture picture{TREE_COLUMNS * TREE_TILE_WIDTH, 0, {}};
     for (int level = 0; level < TREE_LEVELS; ++level) picture.height += kHeight >> level;
     picture.pixels.resize(3 * static_cast<std::size_t>(picture.width) *
                           static_cast<std::size_t>(picture.height));
     for (int column = 0; column < TREE_COLUMNS; ++column) {
-        const Kind kind = kind_of(column);
+        const Kind kind = kind_of(first_column + column);
         for (int row = 0; row < TREE_ROWS; ++row) {
             Level level = drawn(kind, kSines[static_cast<std::size_t>(row)]);
             const auto covers = [&](const glm::vec4& texel) { return texel.w > kind.least; };
@@ -202,6 +217,16 @@ Picture conifer_pictures() {
         }
     }
     return picture;
+}
+
+}  // namespace
+
+Picture conifer_pictures() {
+    return pictures_from(0);
+}
+
+Picture leaf_pictures() {
+    return pictures_from(TREE_COLUMNS);
 }
 
 }  // namespace render
