@@ -20,6 +20,25 @@ vec3 lit(vec3 albedo, vec3 normal, float sunlit, float open) {
     return albedo * (frame.lamp.rgb * (facing * sunlit) + around);
 }
 
+float of_corner(ivec2 corner) {
+    uint h = (uint(corner.x) * 0x9E3779B1u) ^ (uint(corner.y) * 0x85EBCA77u);
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    return float((h ^ (h >> 13)) & 0xFFFFu) / 65535.0;
+}
+float noise_at(vec2 at) {
+    ivec2 low = ivec2(floor(at));
+    vec2 share = at - floor(at);
+    share *= share * (3.0 - 2.0 * share);
+    return mix(mix(of_corner(low), of_corner(low + ivec2(1, 0)), share.x),
+               mix(of_corner(low + ivec2(0, 1)), of_corner(low + ivec2(1, 1)), share.x), share.y);
+}
+// What fair-weather clouds let through of the sun at a place, on a day with plants.
+float through_clouds(vec2 at) {
+    if (frame.season.w == 0.0) return 1.0;
+    float thick = 0.62 * noise_at(at / 540.0 + 31.7) + 0.26 * noise_at(at / 210.0 + 7.1) + 0.12 * noise_at(at / 85.0 - 3.3);
+    return 1.0 - 0.50 * smoothstep(0.54, 0.67, thick);
+}
+
 // What a shadow on the ground leaves of the light, where it is darkest: that of the sky.
 vec3 left_by_shadow() {
     vec3 sky = frame.above.rgb, sun = frame.lamp.rgb * max(frame.sun.z, 0.15);

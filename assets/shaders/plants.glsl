@@ -1,13 +1,6 @@
 // Plants and water on ground that nothing has touched, where a date says how far plants are (frame.season).
 layout(binding = SLOT_LAND) uniform sampler2D land;  // render/mountain/land.h: brook, moisture, tilled, rubble
 
-// A number for each cell of a lattice, 0 to 1.
-float of_cell(ivec2 cell) {
-    uint h = (uint(cell.x) * 0x9E3779B1u) ^ (uint(cell.y) * 0x85EBCA77u);
-    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
-    return float((h ^ (h >> 13)) & 0xFFFFu) / 65535.0;
-}
-
 // The land at a place of the grid, cells.
 vec4 land_at(vec2 cell) {
     vec2 texels = vec2(textureSize(land, 0));
@@ -18,9 +11,9 @@ vec4 land_at(vec2 cell) {
 vec3 tilled(vec3 grass, Place p, Detail d, vec4 fine) {
     vec2 at = mat2(0.961, -0.276, 0.276, 0.961) * p.at.xy + 5.0 * (d.broad.zw - 0.5);
     float row = floor(at.y / 78.0);
-    vec2 strip = vec2(at.x / (24.0 + 22.0 * of_cell(ivec2(int(row), 7))) + 17.3 * row, at.y / 78.0);
+    vec2 strip = vec2(at.x / (24.0 + 22.0 * of_corner(ivec2(int(row), 7))) + 17.3 * row, at.y / 78.0);
     vec2 within = abs(fract(strip) - 0.5) * vec2(34.0, 78.0);
-    float own = of_cell(ivec2(floor(strip))), other = fract(37.0 * own);
+    float own = of_corner(ivec2(floor(strip))), other = fract(37.0 * own);
     vec3 tone = own < 0.30 ? vec3(1.30, 1.15, 0.90)      // cut some days ago
                 : own < 0.42 ? vec3(1.90, 1.40, 1.40)    // hay
                 : own < 0.75 ? vec3(0.86, 0.90, 0.80)    // high grass
@@ -42,7 +35,7 @@ vec3 with_flowers(vec3 grass, Place p, Detail d, float many) {
     float size = 0.16, seen = clamp(1.6 - p.footprint / size, 0.0, 1.0);
     if (seen <= 0.0) return grass;
     vec2 cell = p.at.xy / size;
-    float own = of_cell(ivec2(floor(cell)));
+    float own = of_corner(ivec2(floor(cell)));
     vec2 middle = 0.3 + 0.4 * vec2(fract(own * 41.0), fract(own * 97.0));
     float flower = step(1.0 - 0.14 * many, own) * smoothstep(0.34, 0.18, distance(fract(cell), middle));
     return mix(grass, bright, flower * seen);
@@ -64,7 +57,7 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     grass = mix(grass, tilled(mix(grass, 1.15 * grass, is_tilled), p, d, fine), is_tilled);
     // Dwarf shrubs higher up: dark, rust in autumn.
     float shrubs = smoothstep(0.52, 0.66, 0.55 * d.soft.w + 0.45 * d.clumps.z + 0.35 * (altitude - 0.55) + 0.15 * steep - 0.3 * moist) * rugged * (1.0 - is_tilled);
-    grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.048, 0.066, 0.022), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.8 * shrubs);
+    grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.050, 0.078, 0.024), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.65 * shrubs);
     // Reeds and sedges where it is wet and level.
     float reeds = smoothstep(0.72, 0.88, moist) * smoothstep(0.22, 0.12, steep) * (1.0 - is_tilled) * smoothstep(0.35, 0.55, d.clumps.z);
     grass = mix(grass, mix(vec3(0.150, 0.120, 0.055), vec3(0.085, 0.105, 0.030), green), 0.75 * reeds);

@@ -20,7 +20,7 @@ void main() {
     }
     ground = at.xy;
     air = through_air(vec3(0.0), at);
-    light = (through_air(vec3(1.0), at) - air) * lit(vec3(1.0), facing.xyz, sunlit(at + 1.5 * facing.xyz), face.z);
+    light = (through_air(vec3(1.0), at) - air) * lit(vec3(1.0), facing.xyz, sunlit(at + 1.5 * facing.xyz) * through_clouds(at.xy), face.z);
     material = int(place.w);
     numbers = vec2(facing.w, face.w);
     on_face = vec3(face.xy, length(at - frame.eye.xyz) * frame.material.y);

@@ -34,8 +34,9 @@ void main() {
 
     vec3 normal = normalize(vec3(-slope - skin.rise, 1.0));
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-slope, 1.0), frame.sun.xyz));
-    vec3 light = lit(vec3(1.0), normal, cover_lower_open_sun.w * facing_sun, p.open * clamp(skin.open, 0.0, 1.2));
-    vec3 seen = through_air(skin.albedo * light + mirrored(p, normal, cover_lower_open_sun.w * facing_sun, skin.wet), at);
+    float in_sun = cover_lower_open_sun.w * facing_sun * through_clouds(at.xy);
+    vec3 light = lit(vec3(1.0), normal, in_sun, p.open * clamp(skin.open, 0.0, 1.2));
+    vec3 seen = through_air(skin.albedo * light + mirrored(p, normal, in_sun, skin.wet), at);
     vec2 middle = 0.5 * frame.ground.x * vec2(frame.size.xy - 1);
     vec2 out_of_grid = max(abs(at.xy - middle) - middle, 0.0);
     float sides = length(out_of_grid) / (2.0 * max(middle.x, middle.y));

@@ -95,7 +95,7 @@ struct Lights {
     vec3 needle, snow;
 };
 Lights lights_of(Tree tree, vec3 front, vec3 view, float cosine) {
-    vec3 lamp = frame.lamp.rgb * tree.look.x, sky = frame.above.rgb;
+    vec3 lamp = frame.lamp.rgb * (tree.look.x * through_clouds(tree.foot.xy)), sky = frame.above.rgb;
     float sunward = dot(front.xy, vec2(frame.toward.w, frame.away.w));
     vec3 aside = 0.5 * (frame.below.rgb + sky) * (1.0 + 0.7 * frame.zenith.w * sunward);
     float toward = cosine * dot(frame.sun.xyz, front), along = dot(frame.sun.xyz, tree.axis.xyz);

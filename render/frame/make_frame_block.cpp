@@ -35,7 +35,7 @@ constexpr double kWideView =
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
 constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at which people light them
-constexpr float kSummerExposure = 1.45f;        // against that of snow
+constexpr float kSummerExposure = 1.65f;        // against that of snow
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
