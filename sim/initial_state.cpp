@@ -43,6 +43,8 @@ void place(State& s, const InitialState::Standing& standing) {
         });
         rebuild_wooded(t);
     }
+    if (!standing.water.empty())
+        each_vertex(s.grid, standing.water, [&](int x, int y, float m) { t.water(x, y) = m; });
     if (standing.earth_budget >= 0)
         t.budget = std::llrint(standing.earth_budget / s.grid.cell_area() / static_cast<double>(kQuantum));
     apply_commands(s, standing.placed);

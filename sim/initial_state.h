@@ -39,7 +39,10 @@ struct InitialState {
         double earth_budget = -1;         // m³; −1: no limit
         std::span<const float> earth =
             {};  // m that bedrock is raised by, whole quanta; none, or grid.size() values
-        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty(); }
+        std::span<const float> water = {};  // m of Things, whole quanta; none, or grid.size() values
+        bool empty() const {
+            return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty() && water.empty();
+        }
     };
     Standing standing = {};
 };

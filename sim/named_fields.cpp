@@ -17,6 +17,7 @@ std::vector<NamedField> fields_of(const State& s) {
         fields.push_back({"mixture.settled", &s.mixture->settled});
         fields.push_back({"mixture.untouched", &s.mixture->untouched});
     }
+    if (s.things) fields.push_back({"water", &s.things->water});
     return fields;
 }
 

@@ -92,6 +92,10 @@ std::string phrase_of(const Goal::Tool& tool) {
             return total + " m³ to pour";
         case sim::CommandKind::kDig:
             return total + " m³ to dig";
+        case sim::CommandKind::kWet:
+            return total + " m³ of water";
+        case sim::CommandKind::kDrain:
+            return total + " m³ of water to drain";
         case sim::CommandKind::kBlast:
             return count_text(count, "blast", "blasts");
         case sim::CommandKind::kSculpt:

@@ -54,14 +54,26 @@ std::optional<FieldDifference> difference(const std::string& name, const Field<f
 template <class RangeOf>
 void add_differences(const std::vector<NamedField>& a, const std::vector<NamedField>& b, const RangeOf& range,
                      std::vector<FieldDifference>& found) {
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()) && a[i].name == b[i].name; ++i)
         if (auto different = difference(a[i].name, *a[i].values, *b[i].values, range(*a[i].values)))
             found.push_back(std::move(*different));
 }
 
+// The fields of two states. If only one world has things, the other one is dry.
+struct BothFields {
+    BothFields(const sim::State& a, const sim::State& b) : one(sim::fields_of(a)), other(sim::fields_of(b)) {
+        if (a.things.has_value() == b.things.has_value()) return;
+        dry = Field<float>(a.grid);
+        (a.things ? other : one).push_back({"water", &dry});
+    }
+    Field<float> dry;
+    std::vector<NamedField> one, other;
+};
+
 std::vector<FieldDifference> differences(const sim::State& a, const sim::State& b) {
     std::vector<FieldDifference> found;
-    add_differences(sim::fields_of(a), sim::fields_of(b), inside, found);
+    const BothFields fields(a, b);
+    add_differences(fields.one, fields.other, inside, found);
     return found;
 }
 
@@ -72,7 +84,8 @@ bool same_rest(const sim::State& a, const sim::State& b) {
 }
 
 std::vector<std::uint8_t> cells_that_differ(const sim::State& a, const sim::State& b) {
-    const auto fields = sim::fields_of(a), others = sim::fields_of(b);
+    const BothFields both(a, b);
+    const auto &fields = both.one, &others = both.other;
     std::vector<std::uint8_t> cells(a.grid.size());
     for (std::size_t i = 0; i < std::min(fields.size(), others.size()); ++i) {
         std::size_t cell = 0;
@@ -186,7 +199,8 @@ class StageByStage {
         std::vector<FieldDifference> found;
         add_differences(sim::fields_of(*a_.engine_.scratch), sim::fields_of(*b_.engine_.scratch), with_halo,
                         found);
-        add_differences(sim::fields_of(a_.state_), sim::fields_of(b_.state_), inside, found);
+        const BothFields fields(a_.state_, b_.state_);
+        add_differences(fields.one, fields.other, inside, found);
         return found;
     }
 

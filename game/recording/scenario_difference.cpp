@@ -120,6 +120,7 @@ void add_standing(const Scenario::Standing& a, const Scenario::Standing& b, std:
     if (a.earth_budget != b.earth_budget)
         found.push_back(differs("the budget of earth", budget(a.earth_budget), budget(b.earth_budget)));
     add_field("earth", a.earth, b.earth, found);
+    add_field("the water", a.water, b.water, found);
     // As commands of one tick, of which the differences are known.
     const auto timed = [](const Scenario::Standing& standing) {
         std::vector<TimedCommand> commands;

@@ -38,6 +38,7 @@ Json things_json(const Scenario& scenario) {
     if (!standing.placed.empty()) json["placed"] = placed_json(standing.placed);
     if (standing.earth_budget >= 0) json["earth_budget"] = standing.earth_budget;
     if (!standing.earth.empty()) json["earth"] = pack_metres(standing.earth);
+    if (!standing.water.empty()) json["water"] = pack_metres(standing.water);
     return json;
 }
 
@@ -57,6 +58,12 @@ void things_from(const Json& json, Scenario& scenario) {
         if (!earth) refuse("things: earth: " + earth.error());
         standing.earth = std::move(*earth);
         if (const auto wrong = fault_of_earth(scenario)) refuse("things: " + *wrong);
+    }
+    if (json.contains("water")) {
+        auto water = unpack_metres(text(json, "water"), scenario.grid.size());
+        if (!water) refuse("things: water: " + water.error());
+        standing.water = std::move(*water);
+        if (const auto wrong = fault_of_water(scenario)) refuse("things: " + *wrong);
     }
     if (const auto wrong = fault_of_placed(scenario)) refuse("things: " + wrong->fact);
 }

@@ -71,6 +71,8 @@ std::string_view unit_of(sim::CommandKind kind) {
     switch (kind) {
         case sim::CommandKind::kPour:
         case sim::CommandKind::kDig:
+        case sim::CommandKind::kWet:
+        case sim::CommandKind::kDrain:
             return "m3";
         case sim::CommandKind::kPlant:
             return "ha";
@@ -90,6 +92,11 @@ double cost_of(const sim::Command& command, float tick_s) {
             return command.rate * seconds;
         case sim::CommandKind::kDig:
             return command.rate * seconds * disc_area(command);
+        case sim::CommandKind::kWet:
+        case sim::CommandKind::kDrain: {
+            const double mean = command.profile == sim::Profile::kCone ? 1. / 3 : 1;
+            return command.rate * seconds * mean * disc_area(command);
+        }
         case sim::CommandKind::kPlant:
             return disc_area(command) / kHectare;
         case sim::CommandKind::kNet:

@@ -21,9 +21,9 @@ std::uint64_t expected_bytes(const sim::Grid& grid, bool two_materials, const Me
     // Bytes per vertex, measured (docs/results/costs.md#memory).
     const WorldUse& use = memory.use;
     const std::uint64_t reading = 130;
-    // Things (sim/world/things.h): fields and the numbers of vertices in a world, and the forest and earth of a start.
-    const std::uint64_t things = has_things || use.goes_back ? 72 : 0;
-    const std::uint64_t start = (two_materials ? 70 : 50) + (things > 0 ? 10 : 0);
+    // Things (sim/world/things.h): fields and the numbers of vertices in a world, and the forest, earth and water of a start.
+    const std::uint64_t things = has_things || use.goes_back ? 76 : 0;
+    const std::uint64_t start = (two_materials ? 70 : 50) + (things > 0 ? 14 : 0);
     const std::uint64_t session = (two_materials ? 322 : 77) + things;
     const std::uint64_t run = (two_materials ? 235 : 55) + things;
     std::uint64_t using_it = start + session * static_cast<std::uint64_t>(use.sessions) +

@@ -105,7 +105,8 @@ sim::InitialState initial_state_of(const Scenario& scenario) {
         world.lower_density = static_cast<float>(densities->lower);
     }
     const Scenario::Standing& standing = scenario.standing;
-    world.standing = {standing.forest, standing.placed, standing.earth_budget, standing.earth};
+    world.standing = {standing.forest, standing.placed, standing.earth_budget, standing.earth,
+                      standing.water};
     return world;
 }
 

@@ -68,7 +68,11 @@ struct Scenario {
         double earth_budget = -1;          // m³; −1: no limit
         std::vector<float> earth =
             {};  // m that bedrock is raised by, whole quanta; none, or grid.size() values
-        bool empty() const { return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty(); }
+        std::vector<float> water =
+            {};  // share of the standing layer that is saturated, whole quanta; none, or grid.size() values
+        bool empty() const {
+            return forest.empty() && placed.empty() && earth_budget < 0 && earth.empty() && water.empty();
+        }
         bool operator==(const Standing&) const = default;
     };
     Standing standing;

@@ -18,8 +18,10 @@ bool places_things(sim::CommandKind kind) {
 }
 
 bool has_things(std::span<const TimedCommand> commands) {
-    return std::ranges::any_of(commands,
-                               [](const TimedCommand& timed) { return places_things(timed.command.kind); });
+    return std::ranges::any_of(commands, [](const TimedCommand& timed) {
+        const sim::CommandKind kind = timed.command.kind;
+        return places_things(kind) || kind == sim::CommandKind::kWet;
+    });
 }
 
 std::optional<PlacedFault> fault_of_placed(const Scenario& scenario) {
@@ -81,6 +83,21 @@ std::optional<std::string> fault_of_earth(const Scenario& scenario) {
         return std::nullopt;
     return fmt::format("earth of {:.1f} m3, and the budget is {:.1f} m3",
                        static_cast<double>(moved.used()) * cubic_metres, standing.earth_budget);
+}
+
+std::optional<std::string> fault_of_water(const Scenario& scenario) {
+    const std::vector<float>& water = scenario.standing.water;
+    if (water.empty()) return std::nullopt;
+    if (water.size() != scenario.grid.size())
+        return fmt::format("water has {} values for {} vertices", water.size(), scenario.grid.size());
+    for (std::size_t i = 0; i < water.size(); ++i) {
+        const float quanta = water[i] / sim::kWaterQuantum;
+        if (!(water[i] >= 0 && water[i] <= 1) || std::rint(quanta) != quanta)  // NaN too
+            return fmt::format("water of {} at vertex {} is not in whole quanta from 0 to 1", water[i], i);
+        if (water[i] != 0 && scenario.has_data[i] == 0)
+            return fmt::format("water at vertex {}, where the terrain has no data", i);
+    }
+    return std::nullopt;
 }
 
 std::optional<std::string> fault_of_mixed(const Scenario& scenario) {

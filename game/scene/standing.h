@@ -29,6 +29,8 @@ std::optional<PlacedFault> fault_of_placed(const Scenario& scenario);
 // What is wrong with the earth of a scenario; nothing if sculpting can make it: whole quanta, at most
 // sim::kHighestEarth above or below natural ground, none where there is no data, and all within the budget.
 std::optional<std::string> fault_of_earth(const Scenario& scenario);
+// The same of water in the soil: whole quanta of 0 to 1, none where there is no data.
+std::optional<std::string> fault_of_water(const Scenario& scenario);
 // The same of where two materials are mixed: whole quanta, no more than the layers have.
 std::optional<std::string> fault_of_mixed(const Scenario& scenario);
 // Earth that the placed commands use if there is no budget, m³. They must be without fault.

@@ -46,7 +46,8 @@ std::size_t bytes_of(const Session::Checkpoint& moment) {
                      moment.peaks.pressure, moment.peaks.arrival, moment.powder, moment.line.before);
     if (w.mixture) bytes += bytes_of_all(w.mixture->rolling, w.mixture->settled, w.mixture->untouched);
     if (w.things)
-        bytes += bytes_of_all(w.things->earth, w.things->first_slope, w.things->forest, w.things->list);
+        bytes += bytes_of_all(w.things->earth, w.things->first_slope, w.things->forest, w.things->water,
+                              w.things->list);
     if (const auto& t = moment.textures)
         bytes += bytes_of_all(t->offset, t->mix, t->deformation, t->moving, t->beside, t->gradient);
     return bytes;

@@ -138,6 +138,8 @@ void take_things(const sim::Things& things, bool woods_act, Scenario::Standing& 
     if (!woods_act && is_empty(standing.forest)) standing.forest.clear();
     standing.earth = values_of(things.earth);
     if (is_empty(standing.earth)) standing.earth.clear();
+    standing.water = values_of(things.water);
+    if (is_empty(standing.water)) standing.water.clear();
     standing.placed = Objects(things.list).placed;
 }
 

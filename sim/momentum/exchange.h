@@ -5,6 +5,7 @@
 #include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
 #include "sim/momentum/walls.h"
+#include "sim/momentum/water.h"
 
 // Exchange between the layers of bcre-inertial, after the forces. S = |∇(b + d)| is the slope of the standing
 // ground, without the rolling layer, whose face would otherwise erode the more, the finer the grid.
@@ -16,6 +17,8 @@
 //
 //     Γ −= K/(ρ max(|v|, 1 m/s))                              at most a fifth of R in a sub-step
 //
+// On wet ground s_ero and μ(h) are f times as large (water.h).
+//
 // Erosion goes with speed: a rate that goes with thickness alone brakes like 1/τ at any speed. As drag it equals
 // ξ = g/(k (S − s_ero)). What is eroded joins at rest, v ← v R/(R + ΔR); what is deposited takes its momentum
 // along, so that the rest keeps its speed.
@@ -24,14 +27,14 @@ namespace sim::momentum {
 
 inline constexpr float kMostCaught = 0.2f;  // of R
 
-// Rows y = 0 … ny-1. Reads b, d, R and cosine, of a world with things also detrain and walls; writes exchanged and fed, both in whole quanta, and slows driven_u
-// and driven_v.
+// Rows y = 0 … ny-1. Reads b, d, R and cosine, of a world with things also detrain, water and walls; writes exchanged and fed,
+// both in whole quanta, and slows driven_u and driven_v.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     return [c = w.c, ground = ground_rows(w, w.u0.depth, y), rolling = w.u0.rolling[y], cosine = w.cosine[y],
             walls = wall_rows<has_things>(w, y), detrain = thing_row<has_things>(w.things.detrain, y),
-            to_u = to.driven_u[y], to_v = to.driven_v[y], to_exchanged = to.exchanged[y],
-            to_fed = to.fed[y]](int i) {
+            water = thing_row<has_things>(w.things.water, y), to_u = to.driven_u[y], to_v = to.driven_v[y],
+            to_exchanged = to.exchanged[y], to_fed = to.fed[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i), squared = u * u + v * v;
         const auto moves = squared > S{0};
@@ -42,7 +45,9 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         const Number speed = sqrt(squared), d = at<Number>(ground.here.depth, i);
         const Number slope = sqrt(Number(gradient_beside<has_things, Number>(ground, i, walls, c).squared()));
 
-        const Number steep = max(slope - c.erosion_slope, none), above = max(r - c.erosion_depth, none);
+        Number erodes(c.erosion_slope);
+        if constexpr (has_things) erodes *= effective_share<Number>(water, i, c);
+        const Number steep = max(slope - erodes, none), above = max(r - c.erosion_depth, none);
         Number change = none;
         if (any(steep * above > S{0})) {
             const Number wanted = (c.eroded_per_speed * speed) * (steep * above / max(r, Number(S(1e-12))));
@@ -51,7 +56,8 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         const Number slow = max(Number(1) - speed * c.per_deposit_speed, none);
         if (any(slow > S{0})) {
             const Number cos = at<Number>(cosine, i);
-            const Number friction = friction_at_rest(Number(r * cos), cos, c);
+            Number friction = friction_at_rest(Number(r * cos), cos, c);
+            if constexpr (has_things) friction *= effective_share<Number>(water, i, c);
             const Number flat = max(friction - slope, none);
             change -= min(c.deposit_pace * r * (flat * slow), r);
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -47,6 +48,7 @@ struct alignas(64) Constants {
     // Of what stands in a world (world/things.h).
     Scalar stem_drag;  // ½ C_d Δt, s: drag takes |v|ₛ times this and A
     Scalar caught;     // Δt/ρ, m³ s/kg; 0 if ρ is unknown
+    Scalar buoyancy;   // ρ_w/ρ, at most 1; 0 if ρ is unknown (water.h)
 };
 
 inline constexpr double kStemDrag = 1.5;  // C_d
@@ -84,7 +86,9 @@ Constants<Scalar> constants_of(const Params& p, float cell, Substep<Scalar> sub)
             .anchor_gain = p.anchor_gain,
             .anchor_margin = p.anchor_margin + p.anchor_step / (2 * dx),
             .stem_drag = Scalar(0.5 * kStemDrag) * sub.dt,
-            .caught = p.density > 0 ? sub.dt / Scalar{p.density} : Scalar{0}};
+            .caught = p.density > 0 ? sub.dt / Scalar{p.density} : Scalar{0},
+            .buoyancy =
+                p.density > 0 ? std::min(Scalar(kWaterDensity) / Scalar{p.density}, Scalar{1}) : Scalar{0}};
 }
 
 // The layers, which belong to the world.
@@ -158,7 +162,7 @@ static_assert(members_visited<Fields<char>>([](auto visit, auto& f) { each_field
 // What stands in a world, as the stages read it (world/things.h).
 template <class Scalar>
 struct ThingRows {
-    Rows<Scalar> natural, drag, detrain, hold, net_depth, wall_x, wall_y;
+    Rows<Scalar> natural, drag, detrain, hold, net_depth, wall_x, wall_y, water;
 };
 
 template <class Scalar>

@@ -4,6 +4,7 @@
 #include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
 #include "sim/momentum/walls.h"
+#include "sim/momentum/water.h"
 
 // The forces of a sub-step on a layer of vertical thickness R with velocity v in plan, on ground with slope B
 // and inclination θ, under the surface z = b + d + R:
@@ -12,6 +13,7 @@
 //     friction             |v|ₛ ← max(0, |v|ₛ − Δt μ N)         N = cos θ · max(g + vᵀ H v, 0), at most 4 g cos θ
 //     drag                 |v|ₛ ← |v|ₛ / (1 + Δt g |v₀|ₛ/(ξ R cos θ))         μ and ξ: friction.h
 //     stems and posts      |v|ₛ ← |v|ₛ / (1 + ½ C_d A |v|ₛ Δt)          A: frontal area per volume (world/things.h)
+//     wet ground           μ ← f μ                                      f: water.h
 //
 // |v|ₛ = √(|v|² + (B·v)²) is the speed along the slope, and friction scales v by what it leaves of it. The
 // denominator of the pressure is 1 + B·∇z, not 1 + |∇z|²: pressure acts with cos⁴θ down the slope, cos²θ
@@ -65,16 +67,17 @@ template <class Number, class S = Scalar<Number>>
                walls.north)};
 }
 
-// Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine, of a world with things also drag and walls; writes
-// driven_u, driven_v and, if `exchanges`, held: whether gravity and pressure are at most the friction of a layer at
+// Rows y = 0 … ny-1. Reads b, d, s, R, velocity, slope and cosine, of a world with things also drag, water and walls;
+// writes driven_u, driven_v and, if `exchanges`, held: whether gravity and pressure are at most the friction of a layer at
 // rest, or friction stopped it.
 template <class Number, bool exchanges, bool has_things = false, class S = Scalar<Number>>
 auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     return [c = w.c, ground = ground_rows(w, w.u0.depth, y), smooth = smooth_rows<has_things>(w, y),
             walls = wall_rows<has_things>(w, y), stems = thing_row<has_things>(w.things.drag, y),
-            rolling = around(w.u0.rolling, y), from_u = w.u0.velocity_x[y], from_v = w.u0.velocity_y[y],
-            slope_x = w.slope_x[y], slope_y = w.slope_y[y], cosine = w.cosine[y], to_u = to.driven_u[y],
-            to_v = to.driven_v[y], to_held = to.held[y]](int i) {
+            water = thing_row<has_things>(w.things.water, y), rolling = around(w.u0.rolling, y),
+            from_u = w.u0.velocity_x[y], from_v = w.u0.velocity_y[y], slope_x = w.slope_x[y],
+            slope_y = w.slope_y[y], cosine = w.cosine[y], to_u = to.driven_u[y], to_v = to.driven_v[y],
+            to_held = to.held[y]](int i) {
         const Number none(0), r = at<Number>(rolling.here, i);
         const auto rolls = r > kThin<Number>;
         if (!any(rolls)) {  // as it is in most places
@@ -99,7 +102,8 @@ auto drive(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
             normal =
                 min(max(normal + bending(smooth, i, u, v, c), none), Number(S(kGreatestNormal * kGravity)));
         const Number thick = r * cos;
-        const Friction<Number> friction = friction_of(thick, cos, before, normal, c);
+        Friction<Number> friction = friction_of(thick, cos, before, normal, c);
+        if constexpr (has_things) friction = friction * effective_share<Number>(water, i, c);
         const Number speed = sqrt(squared_along_slope(driven_u, driven_v));
         const Number left = max(speed - (c.time * (friction.moves * cos)) * normal, none);
         Number kept =

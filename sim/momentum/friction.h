@@ -19,6 +19,10 @@ namespace sim::momentum {
 template <class Number>
 struct Friction {
     Number moves, rests;
+
+    [[gnu::always_inline]] Friction operator*(const Number& share) const {
+        return {moves * share, rests * share};
+    }
 };
 
 // Of a layer with speed √`squared` along the slope, N = `normal` · cos θ.

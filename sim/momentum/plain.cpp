@@ -26,7 +26,7 @@ namespace {
 
 ThingRows<float> thing_rows(Things& t) {
     return {Rows<float>(t.natural),   Rows<float>(t.drag),   Rows<float>(t.detrain), Rows<float>(t.hold),
-            Rows<float>(t.net_depth), Rows<float>(t.wall_x), Rows<float>(t.wall_y)};
+            Rows<float>(t.net_depth), Rows<float>(t.wall_x), Rows<float>(t.wall_y),  Rows<float>(t.water)};
 }
 
 template <class Number, bool has_things>

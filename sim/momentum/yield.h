@@ -5,6 +5,7 @@
 #include "sim/momentum/forces.h"
 #include "sim/momentum/friction.h"
 #include "sim/momentum/ground.h"
+#include "sim/momentum/water.h"
 
 // Which material of bcre-inertial comes to rest and which starts, after transport.
 //
@@ -24,6 +25,9 @@
 //
 // Forest and nets hold a share H of what lies under them (world/things.h): they raise the slope at which natural ground
 // fails toward tan 60°, and that of loose material toward 1.
+//
+// On wet ground the slopes at which ground starts, and its friction, are f times as large (water.h), before forest and
+// nets raise them.
 //
 // Natural ground is stronger: a vertex that was steep from the start must become even steeper. anchor_step is a
 // height, independent of the cell: an avalanche leaves a scarp of some metres beside a vertex, whose slope
@@ -57,14 +61,15 @@ void end_quiet(const StageRows<S>& w, Fields<Rows<S>>& to, int y, Span x) {
 }
 
 // Rows y = 0 … ny-1. Reads the layers after transport, quiet, s, first_slope and first_depth, of a world with things
-// also hold, net_depth and walls; writes d, R and
+// also hold, net_depth, water and walls; writes d, R and
 // velocity of u0, up to vertex `end`. `active`, if given, has one byte per vector of lanes, which is set if
 // anything rolled or rolls.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t* active = nullptr) {
     return [c = w.c, ground = ground_rows(w, w.moved_depth, y), smooth = ground_rows(w, w.smooth_depth, y),
             walls = wall_rows<has_things>(w, y), hold = thing_row<has_things>(w.things.hold, y),
-            nets = thing_row<has_things>(w.things.net_depth, y), rolling = around(w.moved_rolling, y),
+            nets = thing_row<has_things>(w.things.net_depth, y),
+            water = thing_row<has_things>(w.things.water, y), rolling = around(w.moved_rolling, y),
             quiet = around(w.quiet, y), from_u = w.moved_u[y], from_v = w.moved_v[y],
             first_slope = w.first_slope[y], first_depth = w.first_depth[y], depth = u0.depth[y],
             to_rolling = u0.rolling[y], to_u = u0.velocity_x[y], to_v = u0.velocity_y[y], end,
@@ -81,6 +86,8 @@ auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t
             max(c.anchor_gain * at<Number>(first_slope, i) + c.anchor_margin, Number(c.start_slope));
         Number loose_slope(c.loose_slope);
         if constexpr (has_things) {
+            const Number share = effective_share<Number>(water, i, c);
+            holds *= share, loose_slope *= share;
             const Number net = at<Number>(nets, i);
             const Number held = select(net > S{0} && d <= net, Number(1), at<Number>(hold, i));
             if (any(held > S{0})) {
@@ -105,7 +112,8 @@ auto yield(const StageRows<S>& w, LayerRows<S>& u0, int y, int end, std::uint8_t
             const Number can = select(natural, max(loose, slab), loose);
             const Gradient<Number> b = gradient<Number>(smooth, i, c);
             const Number cos = cosine_of(b);
-            const Number friction = friction_at_rest(Number((r + can) * cos), cos, c) * (cos * S(kGravity));
+            Number friction = friction_at_rest(Number((r + can) * cos), cos, c) * (cos * S(kGravity));
+            if constexpr (has_things) friction *= effective_share<Number>(water, i, c);
             const auto goes =
                 drive_squared(b, z, S(kGravity * kStartMargin)) > friction * friction && can > S{0};
             moved = select(too_steep && goes, can, moved);

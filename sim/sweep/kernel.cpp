@@ -138,7 +138,7 @@ class Kernel {
             w.things = {of_world(g_.things.natural),   of_world(g_.things.drag),
                         of_world(g_.things.detrain),   of_world(g_.things.hold),
                         of_world(g_.things.net_depth), of_world(g_.things.wall_x),
-                        of_world(g_.things.wall_y)};
+                        of_world(g_.things.wall_y),    of_world(g_.things.water)};
         each_field(rows.keep(4), w);
         // The row beyond the border is written with the last one.
         for (Rows<float>* early : {&w.driven_u, &w.driven_v, &w.fed}) rows.keep(8)({}, *early);

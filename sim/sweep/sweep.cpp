@@ -15,7 +15,7 @@ constexpr int kApronRows = kApron + 1;  // of each field on each side; one more 
 
 Ground::Things pointers_to(Things& t) {
     return {t.natural.row(0),   t.drag.row(0),   t.detrain.row(0), t.hold.row(0),
-            t.net_depth.row(0), t.wall_x.row(0), t.wall_y.row(0)};
+            t.net_depth.row(0), t.wall_x.row(0), t.wall_y.row(0),  t.water.row(0)};
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Ground {
     std::ptrdiff_t stride;
     float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth, *smooth_depth;
     struct Things {
-        float *natural, *drag, *detrain, *hold, *net_depth, *wall_x, *wall_y;
+        float *natural, *drag, *detrain, *hold, *net_depth, *wall_x, *wall_y, *water;
     };
     bool has_things;
     Things things;                  // none, unless has_things

@@ -17,11 +17,10 @@
 namespace sim {
 namespace {
 
-// This tick's share of an amount that is spread over `ticks`, in whole quanta, so that the shares add up
-// exactly.
-std::int64_t quanta_due(double metres, std::int64_t tick, std::int64_t ticks) {
-    const double quanta =
-        std::min(metres / kQuantum, 1e15);  // more than any layer takes, and still a whole number
+// This tick's share of an amount of quanta that is spread over `ticks`, in whole ones, so that the shares add
+// up exactly.
+std::int64_t quanta_due(double amount, std::int64_t tick, std::int64_t ticks) {
+    const double quanta = std::min(amount, 1e15);  // more than any layer takes, and still a whole number
     const auto until = [&](std::int64_t k) {
         return std::llrint(quanta * (static_cast<double>(k) / static_cast<double>(ticks)));
     };
@@ -33,7 +32,7 @@ void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, dou
     const double total = disc.total_weight(s.grid.dx, c.profile);
     const double volume = c.rate * tick_s * static_cast<double>(ticks);
     each_ground(s, c, c.profile, [&](int x, int y, double w) {
-        const auto due = quanta_due(volume * w / (total * s.grid.cell_area()), tick, ticks);
+        const auto due = quanta_due(volume * w / (total * s.grid.cell_area()) / kQuantum, tick, ticks);
         const float layer = c.layer == Layer::kStanding ? s.depth(x, y) : s.rolling(x, y);
         const auto room = static_cast<std::int64_t>(room_in(layer) / kQuantum);
         const auto quanta = std::clamp<std::int64_t>(due, 0, room);
@@ -44,7 +43,7 @@ void pour(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, dou
 void dig(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
     const double depth = c.rate * tick_s * static_cast<double>(ticks);
     const auto due = static_cast<float>(std::min<std::int64_t>(
-        quanta_due(depth, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
+        quanta_due(depth / kQuantum, tick, ticks), static_cast<std::int64_t>(kDeepest / kQuantum)));
     each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
         const float wanted = due * kQuantum;
         const float from_rolling = std::min(wanted, s.rolling(x, y));
@@ -67,6 +66,29 @@ void settle(State& s, const Command& c) {
     each_ground(s, c, Profile::kDisc, [&](int x, int y, double) {
         settle_at(s, x, y, std::min(s.rolling(x, y), room_in(s.depth(x, y))));
     });
+}
+
+// m changes by rate·t/(n d). What the soil cannot take runs off, and so does all water on bare rock. If a place from which
+// wet soil was taken is drained, it dries at once.
+void soak(State& s, const Command& c, std::int64_t tick, std::int64_t ticks, double tick_s) {
+    const bool drains = c.kind == CommandKind::kDrain;
+    if (drains && !s.things) return;
+    Things& t = things_of(s);
+    const double rain = c.rate * tick_s * static_cast<double>(ticks);
+    each_ground(s, c, c.profile, [&](int x, int y, double w) {
+        const auto depth = static_cast<double>(s.depth(x, y));
+        float& m = t.water(x, y);
+        if (depth == 0) {
+            if (drains) m = 0;
+            return;
+        }
+        constexpr auto kAll = static_cast<std::int64_t>(1 / kWaterQuantum);
+        const auto due =
+            quanta_due(rain * w / (kPorosity * depth) / static_cast<double>(kWaterQuantum), tick, ticks);
+        const float change = static_cast<float>(std::min(due, kAll)) * kWaterQuantum;
+        m = drains ? std::max(m - change, 0.f) : std::min(m + change, 1.f);
+    });
+    t.unhashed = true;
 }
 
 template <class Value, class Infos>
@@ -202,7 +224,8 @@ std::optional<std::string> fault_of_counts(std::size_t given, std::size_t runnin
 }
 
 std::int64_t ticks_of(const Command& command, float tick_s) {
-    const bool lasts = command.kind == CommandKind::kPour || command.kind == CommandKind::kDig;
+    const bool lasts = command.kind == CommandKind::kPour || command.kind == CommandKind::kDig ||
+                       command.kind == CommandKind::kWet || command.kind == CommandKind::kDrain;
     return lasts ? std::max<std::int64_t>(1, std::llrint(command.duration / static_cast<double>(tick_s))) : 1;
 }
 
@@ -256,6 +279,10 @@ void apply_commands(State& state, std::span<const Command> commands) {
             case CommandKind::kRemove:
                 rearrange(state, c);
                 objects_changed = true;
+                break;
+            case CommandKind::kWet:
+            case CommandKind::kDrain:
+                soak(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);

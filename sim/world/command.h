@@ -30,6 +30,9 @@ enum class CommandKind : std::uint8_t {
     kRoad,
     kTurn,
     kRemove,
+    // Of the water in the soil (things.h).
+    kWet,
+    kDrain,
 };
 enum class Layer : std::uint8_t { kRolling, kStanding };
 enum class Part : std::uint8_t { kUpper, kLower };   // which of the two materials (mixture.h)
@@ -194,6 +197,24 @@ inline constexpr CommandNumber kRemoveNumbers[] = {
     {"radius", "m", &Command::radius, 0, 1e5,
      "radius of the disc; all objects that reach into it go, a lift, net or road as it was placed"},
 };
+inline constexpr double kMostRain = 0.1;  // m/s of water
+inline constexpr CommandNumber kWetNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is wetted"},
+    {"rate", "m/s", &Command::rate, 0, kMostRain,
+     "depth of water added per second; what the soil cannot take runs off"},
+    {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
+};
+inline constexpr CommandNumber kDrainNumbers[] = {
+    {"x", "m", &Command::x, -kFarthest, kFarthest, "centre, east of the south-west vertex"},
+    {"y", "m", &Command::y, -kFarthest, kFarthest, "centre, north of the south-west vertex"},
+    {"radius", "m", &Command::radius, 0, 1e5,
+     "radius of the disc; if below one cell, only the nearest vertex is drained"},
+    {"rate", "m/s", &Command::rate, 0, kMostRain, "depth of water taken per second, as far as there is any"},
+    {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
+};
 
 // The manifest that generates the readers and writers of recordings and scenes, and their tests.
 struct CommandInfo {
@@ -238,6 +259,10 @@ inline constexpr CommandInfo kCommands[] = {
     {CommandKind::kTurn, "turn", kTurnNumbers, false, false, false, false, false, "turns a house"},
     {CommandKind::kRemove, "remove", kRemoveNumbers, false, false, false, false, false,
      "removes houses, lifts, nets and roads"},
+    {CommandKind::kWet, "wet", kWetNumbers, false, true, false, false, true,
+     "adds water to the soil for a duration"},
+    {CommandKind::kDrain, "drain", kDrainNumbers, false, true, false, false, true,
+     "takes water from the soil for a duration"},
 };
 
 const CommandInfo& info_of(CommandKind kind);
@@ -271,7 +296,7 @@ std::optional<std::string> fault_of_counts(std::size_t given, std::size_t runnin
 std::int64_t ticks_of(const Command& command, float tick_s);
 
 // Starts these commands at the state's tick and applies this tick's share of all running ones. Reads grid,
-// site, tick; writes params, depth, rolling, velocity (material is added and eroded at rest), sources,
+// site, tick; writes params, depth, rolling, velocity (material is added and eroded at rest), things, sources,
 // ledger. A vertex whose layer has reached half of kDeepest receives no more. Material outside the grid or on
 // no-data never enters the world. The ledger counts what does.
 void apply_commands(State& state, std::span<const Command> commands);

@@ -21,7 +21,8 @@ enum class Border { kWall, kOpen, kSink };     // stages.h
 enum Side { kWest, kEast, kSouth, kNorth };
 inline constexpr std::array<std::string_view, 4> kSides{"west", "east", "south", "north"};
 
-inline constexpr double kGravity = 9.81;  // m/s²
+inline constexpr double kGravity = 9.81;       // m/s²
+inline constexpr double kWaterDensity = 1000;  // kg/m³
 
 // Every parameter of the physics, in SI units; slopes are tangents. The defaults describe a slow dry sand.
 // Scenes use the presets in assets/materials. kParams below gives unit, range and meaning of each.

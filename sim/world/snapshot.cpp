@@ -8,19 +8,21 @@ namespace {
 
 std::optional<Snapshot::Standing> standing_in(const State& s) {
     if (!s.things) return std::nullopt;
-    return Snapshot::Standing{s.things->earth, s.first_slope, s.things->forest, s.things->list,
-                              s.things->budget};
+    return Snapshot::Standing{s.things->earth, s.first_slope,  s.things->forest,
+                              s.things->water, s.things->list, s.things->budget};
 }
 
 void restore_things(const Snapshot& snapshot, State& s) {
     if (!snapshot.things && !s.things) return;
     Things& t = things_of(s);
     // None in the snapshot: as before the first.
-    const Snapshot::Standing none{Field<float>(s.grid), t.natural_slope, Field<Stems>(s.grid), {}};
+    const Snapshot::Standing none{
+        Field<float>(s.grid), t.natural_slope, Field<Stems>(s.grid), Field<float>(s.grid), {}};
     const Snapshot::Standing& then = snapshot.things ? *snapshot.things : none;
     t.earth = then.earth;
     t.earth_moved = moved_in(t.earth);
     t.forest = then.forest;
+    t.water = then.water;
     t.list = then.list;
     t.budget = then.budget;
     t.unhashed = true;

@@ -22,6 +22,7 @@ struct Snapshot {
     struct Standing {
         Field<float> earth, first_slope;
         Field<Stems> forest;
+        Field<float> water;
         std::vector<Thing> list;
         std::int64_t budget = -1;
     };

@@ -17,7 +17,7 @@
 
 namespace sim {
 
-// A running command: a pour or a dig may last longer than its first tick.
+// A running command: a pour, dig, wet or drain may last longer than its first tick.
 struct RunningCommand {
     Command command;
     std::int64_t first_tick = 0;
@@ -36,7 +36,7 @@ struct State : Layers<float> {
     Ledger ledger;                                 // where the mass is
 
     std::optional<Mixture> mixture;  // of a world of two materials
-    std::optional<Things> things;    // of a world where anything stands or was sculpted
+    std::optional<Things> things;    // of a world where anything stands, was sculpted or is wet
 
     // Vertices times sub-steps whose speed passed greatest_speed and was cut to it, since the world began.
     // Not part of the hash, because it follows from the rest.

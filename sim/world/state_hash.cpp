@@ -124,6 +124,9 @@ std::optional<std::uint64_t> fields_hash(const Things& t) {
         digest.add(std::span(t.earth.row(y), static_cast<std::size_t>(t.earth.nx())));
         digest.add(std::span(t.forest.row(y), static_cast<std::size_t>(t.earth.nx())));
     }
+    if (!t.dry())  // younger than the hashes of worlds with things
+        for (int y = 0; y < t.water.ny(); ++y)
+            digest.add(std::span(t.water.row(y), static_cast<std::size_t>(t.water.nx())));
     return digest.value();
 }
 

@@ -404,6 +404,20 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
     return joined({"the budget of earth, ", number_text(rounded), " m3, is used up"});
 }
 
+// Water in the soil acts by the weight of the soil, in the models whose friction it takes.
+std::optional<std::string> fault_of_soaking(const State& s, const Command& c) {
+    const std::string_view name = info_of(c.kind).name;
+    if (!has_momentum(s.params.model))
+        return joined({name, " acts in the models bcre-inertial and voellmy, and this world has ",
+                       to_string(s.params.model)});
+    const double lightest = static_cast<double>(
+        s.mixture ? std::min(s.params.density, s.mixture->lower.density) : s.params.density);
+    if (lightest > kWaterDensity) return std::nullopt;
+    const std::string lacks = lightest > 0 ? joined({"has ", number_text(lightest), " kg/m3"}) : "has none";
+    return joined({name, " needs a material with a density of over ", number_text(kWaterDensity),
+                   " kg/m3, and that of this world ", lacks});
+}
+
 }  // namespace
 
 double distance_from(const Thing& thing, double x, double y) {
@@ -491,6 +505,9 @@ std::optional<std::string> fault_of_place(const State& s, const Command& c) {
         case CommandKind::kNet:
         case CommandKind::kRoad:
             return fault_of_building(s, {}, c);
+        case CommandKind::kWet:
+        case CommandKind::kDrain:
+            return fault_of_soaking(s, c);
         default:
             return std::nullopt;
     }
@@ -506,6 +523,10 @@ std::optional<ThingFault> fault_of_things(const State& s, std::span<const Comman
             case CommandKind::kSmooth:
             case CommandKind::kLevel:
                 fault = fault_of_sculpting(s, c);
+                break;
+            case CommandKind::kWet:
+            case CommandKind::kDrain:
+                fault = fault_of_soaking(s, c);
                 break;
             case CommandKind::kHouse:
             case CommandKind::kLift:

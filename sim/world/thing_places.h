@@ -16,8 +16,8 @@ struct State;
 // Whether a command builds, turns or removes objects.
 bool is_of_objects(const Command& command);
 
-// What is wrong with a command of building on this terrain at any time, whatever stands there: its place or its length.
-// Nothing for a command that builds nothing.
+// What is wrong with a command in this world at any time, whatever stands there: the place or the length of what is built,
+// or soil that water does not act on. Nothing for other commands.
 std::optional<std::string> fault_of_place(const State& state, const Command& command);
 
 // Commands of things cost time by the vertices that they visit: those of a disc, and once the whole grid for objects

@@ -198,6 +198,7 @@ void VertexBox::add(int x, int y) {
 Things::Things(const Grid& grid)
     : earth(grid),
       forest(grid),
+      water(grid),
       natural(grid),
       natural_slope(grid),
       built(grid),
@@ -209,8 +210,15 @@ Things::Things(const Grid& grid)
       wall_x(grid),
       wall_y(grid) {}
 
+bool Things::dry() const {
+    for (int y = 0; y < water.ny(); ++y)
+        if (!std::all_of(water.row(y), water.row(y) + water.nx(), [](float m) { return m == 0; }))
+            return false;
+    return true;
+}
+
 bool Things::empty() const {
-    if (!list.empty() || budget >= 0) return false;
+    if (!list.empty() || budget >= 0 || !dry()) return false;
     for (int y = 0; y < earth.ny(); ++y) {
         const auto bare = [](const Stems& stems) { return stems == Stems{}; };
         if (!std::all_of(earth.row(y), earth.row(y) + earth.nx(), [](float e) { return e == 0; }))

@@ -12,11 +12,12 @@
 
 #include "sim/core/grid.h"
 
-// What stands on a mountain and acts on a flow, as the flow acts on it: forest, buildings, nets and sculpted earth.
+// What stands on a mountain and acts on a flow, as the flow acts on it: forest, buildings, nets and sculpted earth;
+// and the water in the soil.
 // Rules with equations and sources: docs/things.md.
 //
-// A world has things only once there is one. Forest is a field. Earth raises or lowers bedrock, and so does a
-// building that is at least two cells wide. The rest is a list of objects. From these the fields that the stages
+// A world has things only once there is one. Forest and water are fields. Earth raises or lowers bedrock, and so does a
+// building that is at least two cells wide. The rest is a list of objects. From these the other fields that the stages
 // of a step read are derived; they are never a part of the state.
 
 namespace sim {
@@ -83,6 +84,12 @@ struct LoadedVertex {
     std::int8_t to_x, to_y;  // 0, 0: any direction
 };
 
+// Water in the soil is m, the share of the standing layer's depth that is saturated, 0 to 1. It changes only by commands,
+// in whole quanta, so that slow rain loses nothing to rounding.
+inline constexpr float kWaterQuantum = 0x1p-24f;
+// n, the share of soil that is pores, which water fills: the beds of Iverson et al. (2011) hold about .4.
+inline constexpr double kPorosity = 0.4;
+
 // Vertices, x1 and y1 included. None if x1 < x0.
 struct VertexBox {
     int x0 = 0, x1 = -1, y0 = 0, y1 = -1;
@@ -106,6 +113,7 @@ struct Things {
     // State.
     Field<float> earth;  // m that bedrock was raised by, whole quanta; negative: lowered
     Field<Stems> forest;
+    Field<float> water;  // m, 0 to 1: share of the standing layer that is saturated
     std::vector<Thing> list;
     std::int64_t budget = -1;  // of earth, quanta times cells; −1: no limit. A constant of the world.
 
@@ -127,14 +135,17 @@ struct Things {
     };
     std::vector<Range> loaded_of;  // of each of `list`, in `loaded`
     std::vector<LoadedVertex> loaded;
-    std::vector<std::int32_t> wooded;   // where stems stand, or stood until they broke; ascending
-    EarthMoved earth_moved;             // of all of `earth`
-    VertexBox stale;                    // where bedrock has changed since renew_ground()
-    std::int64_t changed = 0;           // counts changes of earth, forest or list, and what was destroyed
+    std::vector<std::int32_t> wooded;  // where stems stand, or stood until they broke; ascending
+    EarthMoved earth_moved;            // of all of `earth`
+    VertexBox stale;                   // where bedrock has changed since renew_ground()
+    // Counts changes of earth, forest or list, and what was destroyed; not changes of water.
+    std::int64_t changed = 0;
     bool unhashed = true;               // changed since the hash of the fields was last found
     std::optional<std::uint64_t> hash;  // of the fields; none if empty()
 
-    // Nothing stands, and nothing was sculpted: the world is as one without things.
+    // No vertex holds water.
+    bool dry() const;
+    // Nothing stands, nothing was sculpted and all is dry: the world is as one without things.
     bool empty() const;
 };
 

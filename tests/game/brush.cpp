@@ -147,13 +147,14 @@ TEST(Tools, do_the_opposite_with_control_and_smooth_earth_with_shift) {
         EXPECT_EQ(kind(tool, kControlHeld), CommandKind::kRemove);
 }
 
-TEST(Tools, reach_every_command_but_those_of_parameters_and_turning) {
+TEST(Tools, reach_every_command_but_those_of_parameters_turning_and_water) {
+    constexpr sim::CommandKind kWithout[] = {sim::CommandKind::kSet, sim::CommandKind::kTurn,
+                                             sim::CommandKind::kWet, sim::CommandKind::kDrain};
     std::set<sim::CommandKind> kinds;
     for (const ToolInfo& info : tool_infos())
         for (const Deed* deed : {info.plain, info.control, info.shift}) kinds.insert(deed->kind);
     for (const sim::CommandInfo& info : sim::kCommands)
-        EXPECT_EQ(kinds.contains(info.kind),
-                  info.kind != sim::CommandKind::kSet && info.kind != sim::CommandKind::kTurn)
+        EXPECT_EQ(kinds.contains(info.kind), std::ranges::find(kWithout, info.kind) == std::end(kWithout))
             << info.name;
 }
 

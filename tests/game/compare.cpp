@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "game/compare/desync_picture.h"
@@ -329,12 +330,14 @@ TEST(Differences, name_what_stands_before_the_start) {
     b.standing.earth_budget = 500;
     b.standing.forest.resize(b.grid.size());
     b.standing.forest[5] = {400, 0, 30, 22};
+    b.standing.water.assign(b.grid.size(), 0.5f);
     const auto found = differences_of(a, b);
-    ASSERT_EQ(found.size(), 3u);
+    ASSERT_EQ(found.size(), 4u);
     EXPECT_EQ(found[0], "the forest differs at 1 vertices");
     EXPECT_EQ(found[1], "the budget of earth is without limit in the first and 500 m3 in the second");
-    EXPECT_NE(found[2].find("the house's turn is 0 in the first and 30 in the second"), std::string::npos)
-        << found[2];
+    EXPECT_EQ(found[2], fmt::format("the water differs at {} vertices", a.grid.size()));
+    EXPECT_NE(found[3].find("the house's turn is 0 in the first and 30 in the second"), std::string::npos)
+        << found[3];
     b.standing = {};
     ASSERT_EQ(differences_of(a, b).size(), 1u);
     EXPECT_NE(differences_of(a, b)[0].find("only the first has"), std::string::npos);

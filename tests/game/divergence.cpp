@@ -184,6 +184,26 @@ TEST(Divergence, of_another_command_is_found_at_the_commands_of_its_tick) {
             "at tick 3 the dig's x is 12.933333333333334 in the first and 14.933333333333334 in the second"});
 }
 
+TEST(Divergence, of_soil_that_is_wet_in_one_run_names_the_water) {
+    Scenario scenario = small_scenario();
+    scenario.density = 1800;
+    sim::Command shower;
+    shower.kind = sim::CommandKind::kWet;
+    shower.x = 12, shower.y = 10, shower.radius = 1.5, shower.rate = 0.1;
+    for (const bool second : {true, false}) {
+        const std::vector<TimedCommand> none, one{{4, shower}};
+        const auto parted = first_divergence({scenario, second ? none : one, {}, nullptr},
+                                             {scenario, second ? one : none, {}, nullptr}, kComparedTicks);
+        ASSERT_TRUE(parted);
+        EXPECT_EQ(parted->tick, 4);
+        EXPECT_EQ(parted->name, "commands");
+        ASSERT_EQ(parted->fields.size(), 1u);
+        EXPECT_EQ(parted->fields[0].field, "water");
+        EXPECT_EQ(parted->fields[0].count, 1u);
+        EXPECT_EQ(differing(*parted), 1u);
+    }
+}
+
 TEST(Divergence, of_a_longer_running_source_is_found_before_any_field_differs) {
     const Scenario scenario = small_scenario();
     const auto commands = some_commands();

@@ -254,6 +254,16 @@ TEST_F(Challenge, allows_its_tools_within_their_limits_and_budgets_alone) {
     EXPECT_EQ(refused(pour), "a pour must be as standing");
 }
 
+TEST(GoalCosts, of_water_are_what_falls_on_the_disc) {
+    sim::Command wet;
+    wet.kind = sim::CommandKind::kWet;
+    wet.radius = 10, wet.rate = 0.05, wet.duration = 2;
+    EXPECT_NEAR(cost_of(wet, 1.f / 60), 31.416, 1e-3);
+    wet.profile = sim::Profile::kCone;
+    EXPECT_NEAR(cost_of(wet, 1.f / 60), 10.472, 1e-3);
+    EXPECT_EQ(unit_of(sim::CommandKind::kDrain), "m3");
+}
+
 TEST_F(Challenge, brings_what_a_hand_does_into_its_limits) {
     const Scene of = scene();
     sim::Command blast = blast_at(80, 120);

@@ -22,6 +22,7 @@ struct Kept {
     std::int64_t last_tick;
     bool whole = true;                            // has an end line
     bool (*has)(const Header& header) = nullptr;  // its feature, if that is in the header
+    int minor = 0;                                // of its format
 };
 
 std::filesystem::path folder() {
@@ -36,7 +37,7 @@ class KeptRecording : public testing::TestWithParam<Kept> {
 };
 
 TEST_P(KeptRecording, is_read_as_it_was_written) {
-    EXPECT_EQ(recording_.header.minor, 0);
+    EXPECT_EQ(recording_.header.minor, kept_.minor);
     EXPECT_EQ(recording_.commands.size(), static_cast<std::size_t>(kept_.commands));
     EXPECT_EQ(recording_.last_tick(), kept_.last_tick);
     EXPECT_EQ(recording_.end.has_value(), kept_.whole);
@@ -112,6 +113,7 @@ constexpr Kept kKept[] = {
     {"things", 12, 300, true, [](const Header& h) { return !h.scenario.standing.empty(); }},
     {"goal", 7, 3600, true, [](const Header& h) { return h.scenario.goal.has_value(); }},
     {"saved_world", 1, 60, true, [](const Header& h) { return !h.scenario.lower->settled.empty(); }},
+    {"water", 2, 90, true, [](const Header& h) { return !h.scenario.standing.water.empty(); }, 3},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, KeptRecording, testing::ValuesIn(kKept),

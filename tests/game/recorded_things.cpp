@@ -24,7 +24,7 @@ sim::Command of(sim::CommandKind kind, double x, double y) {
 // A slope on which a bit of everything stands, under a release.
 Scenario built_up() {
     Scenario scenario = small_scenario();
-    scenario.density = 300;
+    scenario.density = 1300;
     Scenario::Standing& standing = scenario.standing;
     standing.earth_budget = 500;
     standing.forest.resize(scenario.grid.size());
@@ -44,7 +44,8 @@ Scenario built_up() {
 std::vector<TimedCommand> deeds() {
     sim::Command plant = of(sim::CommandKind::kPlant, 20, 15), fell = of(sim::CommandKind::kFell, 4, 6),
                  turn = of(sim::CommandKind::kTurn, 18, 6), remove = of(sim::CommandKind::kRemove, 13, 12),
-                 level = of(sim::CommandKind::kLevel, 22, 2), blast = of(sim::CommandKind::kBlast, 12, 18);
+                 level = of(sim::CommandKind::kLevel, 22, 2), blast = of(sim::CommandKind::kBlast, 12, 18),
+                 wet = of(sim::CommandKind::kWet, 12, 12), drain = of(sim::CommandKind::kDrain, 12, 10);
     plant.radius = 3, plant.stems = 700, plant.diameter = 0.2, plant.height = 12;
     plant.least_slope = 20, plant.most_slope = 60;
     fell.radius = 3;
@@ -52,7 +53,9 @@ std::vector<TimedCommand> deeds() {
     remove.radius = 2;
     level.radius = 2, level.rise = 0.7, level.level = 1235;
     blast.radius = 4, blast.depth = 0.2;
-    return {{3, plant}, {3, fell}, {7, turn}, {9, blast}, {14, remove}, {16, level}};
+    wet.radius = 9, wet.rate = 0.1, wet.duration = 0.3, wet.profile = sim::Profile::kCone;
+    drain.radius = 4, drain.rate = 0.01, drain.duration = 0.2;
+    return {{3, plant}, {3, fell}, {5, wet}, {7, turn}, {9, blast}, {14, remove}, {16, level}, {20, drain}};
 }
 
 class RecordedThings : public testing::Test {

@@ -128,6 +128,9 @@ TEST(RecordingHeader, keeps_what_stands_bit_identical_and_has_no_key_if_nothing_
     Scenario::Standing& standing = header.scenario.standing;
     standing.earth_budget = 1.0 / 3;
     EXPECT_EQ(through_header(header.scenario).standing, standing);
+    standing.water.assign(header.scenario.grid.size(), 0.f);
+    standing.water[7] = 1, standing.water[8] = 12345 * sim::kWaterQuantum;
+    EXPECT_EQ(through_header(header.scenario).standing, standing);
     standing.forest.resize(header.scenario.grid.size());
     standing.forest[7] = {2000, 1, 60, 35};
     standing.forest[8] = {257, 0, 10, 5};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -285,6 +286,12 @@ TEST_F(ForgedHeader, with_things_that_cannot_be_is_refused) {
         {"/things/forest", one({1, 0, 30, 0})},
         {"/things/forest", one({1, 0, 30, 36})},
         {"/things/forest", one({0, 0, 30, 22})},
+        {"/things/water", 7},
+        {"/things/water", pack_metres(std::vector<float>(142))},
+        {"/things/water", pack_metres(std::vector<float>(143, 1.01f))},
+        {"/things/water", pack_metres(std::vector<float>(143, -0.5f))},
+        {"/things/water", pack_metres(std::vector<float>(143, 0x1p-25f))},
+        {"/things/water", pack_metres(std::vector<float>(143, std::nanf("")))},
     };
     for (const auto& [where, what] : nonsense) {
         Json wrong = header_;
@@ -292,6 +299,9 @@ TEST_F(ForgedHeader, with_things_that_cannot_be_is_refused) {
         EXPECT_FALSE(refused(wrong).empty()) << where << " " << what;
     }
     header_["things"]["forest"] = one({2000, 2000, 60, 35});
+    std::vector<float> wet(143);
+    wet[80] = 0x1p-24f;
+    header_["things"]["water"] = pack_metres(wet);
     EXPECT_TRUE(read(header_)) << read(header_).error().sentence;
 }
 

@@ -92,6 +92,7 @@ void expect_saved(const Scenario& initial, const sim::State& now) {
     if (begun.things) {
         EXPECT_TRUE(same(begun.things->forest, now.things->forest));
         EXPECT_TRUE(same(begun.things->earth, now.things->earth));
+        EXPECT_TRUE(same(begun.things->water, now.things->water));
         EXPECT_EQ(begun.things->budget, now.things->budget);
         EXPECT_EQ(sim::earth_used(*begun.things), sim::earth_used(*now.things));
         if (!any_destroyed) {
@@ -157,13 +158,16 @@ class Worker {
             sim::CommandKind::kSculpt, sim::CommandKind::kSculpt, sim::CommandKind::kSmooth,
             sim::CommandKind::kPlant,  sim::CommandKind::kFell,   sim::CommandKind::kHouse,
             sim::CommandKind::kLift,   sim::CommandKind::kNet,    sim::CommandKind::kRoad,
-            sim::CommandKind::kRemove, sim::CommandKind::kSet};
+            sim::CommandKind::kRemove, sim::CommandKind::kSet,    sim::CommandKind::kWet,
+            sim::CommandKind::kWet,    sim::CommandKind::kDrain};
         sim::Command c;
         c.kind = kKinds[random_() % std::size(kKinds)];
         c.x = real(0, east_), c.y = real(0, north_), c.radius = real(cell_, 5 * cell_);
         c.to_x = std::clamp(c.x + real(-15, 15) * cell_, 0.0, east_);
         c.to_y = std::clamp(c.y + real(-15, 15) * cell_, 0.0, north_);
-        c.rate = c.kind == sim::CommandKind::kPour ? 100 * cell_ : 1, c.duration = 0.5, c.depth = 2;
+        const bool of_water = c.kind == sim::CommandKind::kWet || c.kind == sim::CommandKind::kDrain;
+        c.rate = c.kind == sim::CommandKind::kPour ? 100 * cell_ : of_water ? sim::kMostRain : 1;
+        c.duration = 0.5, c.depth = 2;
         c.layer = random_() % 2 ? sim::Layer::kStanding : sim::Layer::kRolling;
         c.profile = random_() % 2 ? sim::Profile::kCone : sim::Profile::kDisc;
         if (two_materials_ && random_() % 2) c.of = sim::Part::kLower;
@@ -185,9 +189,9 @@ class Worker {
 };
 
 TEST(SavedWorlds, are_the_state_that_was_saved_after_random_work) {
-    std::size_t objects = 0, destroyed = 0, woods = 0;
+    std::size_t objects = 0, destroyed = 0, woods = 0, wet = 0;
     std::int64_t earth = 0, mixed = 0;
-    for (const char* name : {"winter-valley", "protection", "snow-on-soil"})
+    for (const char* name : {"winter-valley", "protection", "snow-on-soil", "landslide"})
         for (unsigned seed = 1; seed <= 3; ++seed) {
             SCOPED_TRACE(name + std::to_string(seed));
             auto scene = small(name);
@@ -206,7 +210,7 @@ TEST(SavedWorlds, are_the_state_that_was_saved_after_random_work) {
             objects += state.things->list.size(), woods += state.things->wooded.size();
             destroyed +=
                 static_cast<std::size_t>(std::ranges::count_if(state.things->list, &sim::Thing::destroyed));
-            earth += sim::earth_used(*state.things);
+            earth += sim::earth_used(*state.things), wet += !state.things->dry();
             if (state.mixture) mixed += state.mixture->ledger.rolling;
             // A saved world can be saved again, and that is the same file.
             const auto once = scenario_of_now(sandbox->scenario(), sandbox->session().state());
@@ -221,6 +225,7 @@ TEST(SavedWorlds, are_the_state_that_was_saved_after_random_work) {
     EXPECT_GT(woods, 0u);
     EXPECT_GT(earth, 0);
     EXPECT_GT(mixed, 0);
+    EXPECT_EQ(wet, 3u) << "in the soil of each landslide, and in no snow";
 }
 
 TEST(SavedWorlds, play_the_same_hashes_for_the_same_commands) {

@@ -79,8 +79,9 @@ Scenario random_start(Dice& dice) {
         lower.stop_slope = 0.55f;
         std::vector<float> depth = ground.depth;
         for (float& d : depth) d *= 0.5f;
-        scenario.lower = Scenario::Lower{"soil", lower, std::move(depth), {}, {}, {}};
+        scenario.lower = Scenario::Lower{"soil", lower, std::move(depth), 2000, {}, {}};
     }
+    if (!dice.one_in(4)) scenario.density = 1500;  // with none, water is refused
     if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // tracks fronts
     return scenario;
 }
@@ -91,7 +92,8 @@ sim::Command random_command(Dice& dice, const Scenario& scenario) {
     const double dx = static_cast<double>(scenario.grid.dx);
     sim::Command command;
     command.kind = info.kind;
-    const bool stands = info.kind >= sim::CommandKind::kHouse;  // of an object, which must be on the grid
+    // Of an object, which must be on the grid.
+    const bool stands = info.kind >= sim::CommandKind::kHouse && info.kind <= sim::CommandKind::kRemove;
     const auto place = [&](int vertices) {
         return (stands ? dice.real(0, vertices - 1) : dice.real(-4, vertices + 3)) * dx;
     };
@@ -104,7 +106,8 @@ sim::Command random_command(Dice& dice, const Scenario& scenario) {
         if (number.name == "radius")
             value = dice.one_in(5) ? dice.real(0, 1) : dice.real(1, 0.4 * scenario.grid.nx * dx);
         if (number.name == "rate")
-            value = info.kind == sim::CommandKind::kDig ? dice.real(0, 5) : dice.real(0, 40) * dx * dx;
+            value = info.kind == sim::CommandKind::kPour ? dice.real(0, 40) * dx * dx
+                                                         : dice.real(0, std::min(number.most, 5.0));
         if (number.name == "duration") value = dice.one_in(2) ? 0 : dice.real(0, 2);
         if (number.name == "depth") value = dice.real(0, 3);
         if (number.name == "rise") value = dice.real(std::max(number.least, -4.0), 4);
