@@ -118,10 +118,28 @@ Scene snow_on_soil() {
     return {"snow on soil", ground, numbers(), {{1, support::pour_at(100, 24, 16, 900, 0.8)}, {40, lower}}};
 }
 
+// Soil under a shower and a drain, which lets go; forest holds some of it.
+Scene rain() {
+    Ground ground({64, 50, 3});
+    ground.set(ground.bedrock, [](double x, double y) {
+        return -0.6 * y - 0.05 * x + 0.3 * noise(static_cast<int>(x / 3), static_cast<int>(y / 3));
+    });
+    ground.set(ground.depth,
+               [](double x, double y) { return 0.5 + noise(static_cast<int>(y), static_cast<int>(x)); });
+    ground.density = 1900;
+    ground.forest.resize(ground.grid.size());
+    for (int y = 30; y < 40; ++y)
+        for (int x = 20; x < 30; ++x) ground.forest[ground.at(x, y)] = {300, 0, 30, 22};
+    sim::Command wet = support::pour_at(90, 70, 55, 0.1, 3), drain = support::pour_at(120, 90, 20, 0.03, 1);
+    wet.kind = sim::CommandKind::kWet, wet.profile = sim::Profile::kCone;
+    drain.kind = sim::CommandKind::kDrain;
+    return {"rain", ground, numbers(), {{2, wet}, {100, drain}}};
+}
+
 }  // namespace
 
 std::vector<Scene> scenes() {
-    return {pile_on_a_table(), gully(), dam(), hill(), rough_ground(), snow_on_soil()};
+    return {pile_on_a_table(), gully(), dam(), hill(), rough_ground(), snow_on_soil(), rain()};
 }
 
 }  // namespace golden
