@@ -27,18 +27,21 @@ double ground_height(const Scenario& scenario, std::size_t i) {
     return static_cast<double>(scenario.bedrock[i]) + static_cast<double>(scenario.depth[i]);
 }
 
-// Computes run-out, fall and reach; leaves them if nothing was released or nothing moved.
+// Computes run-out, fall and reach; leaves them if nothing moved. What let go by itself, as soil does that was wetted or
+// undercut, began at the top of its extent.
 void measure_line(const Scenario& scenario, const std::vector<std::uint8_t>& released,
                   const std::vector<std::uint8_t>& extent, Measures& measures) {
     const sim::Grid& grid = scenario.grid;
     const auto place = [&](int x, int y) {
         return terrains::LocalPoint{x * static_cast<double>(grid.dx), y * static_cast<double>(grid.dx)};
     };
+    const bool by_itself = std::ranges::find(released, std::uint8_t{1}) == released.end();
+    const std::vector<std::uint8_t>& began = by_itself ? extent : released;
     double highest = -1e30, top_height = 0;
     for (int y = 0; y < grid.ny; ++y)
         for (int x = 0; x < grid.nx; ++x)
             if (const std::size_t i = index_of(grid, x, y);
-                released[i] && ground_height(scenario, i) > highest) {
+                began[i] && ground_height(scenario, i) > highest) {
                 highest = top_height = ground_height(scenario, i);
                 measures.top = place(x, y);
             }

@@ -33,7 +33,7 @@ struct Measures {
     bool narrow_release = false;           // nowhere in the release area such a square fits
     bool narrow_flow = false;  // nor around the deepest place of the flow, where it was half as deep
     // Along a straight line from the highest vertex at which material
-    // was released or added to the farthest vertex of the extent.
+    // was released or added, or of the extent if none was, to the farthest vertex of the extent.
     terrains::LocalPoint top, toe;
     double run_out = 0;    // m, in plan
     double fall = 0;       // m

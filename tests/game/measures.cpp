@@ -200,6 +200,17 @@ TEST(Measures, without_release_or_reference_have_no_line_and_no_overlap) {
         << "nothing over nothing";
 }
 
+// Wetted or undercut soil lets go by itself.
+TEST(Measures, of_what_nobody_released_have_a_line_from_the_top_of_its_extent) {
+    Hill hill;
+    for (const auto& [x, y] : {std::pair(5, 8), std::pair(5, 6), std::pair(2, 2)})
+        hill.scenario.rolling[hill.at(x, y)] = 1.f;
+    const Measures m = measure(hill.scenario, hill.session(), hill.flags({}), {});
+    EXPECT_DOUBLE_EQ(m.top.y, 80);
+    EXPECT_DOUBLE_EQ(m.toe.y, 20);
+    EXPECT_DOUBLE_EQ(m.run_out, std::sqrt(30.0 * 30 + 60.0 * 60));
+}
+
 TEST(Measures, count_erosion_and_deposition_of_the_standing_layer) {
     const Hill hill;
     Session session = hill.session();
