@@ -775,9 +775,10 @@ void add_gallery(CLI::App& app, GalleryOptions& options) {
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
     app.footer(
-        "Draws thirteen views, and with --terrain fourteen: a valley at four times of day, a slide, its "
+        "Draws eighteen views, and with --terrain nineteen: a valley at four times of day, a slide, its "
         "deposit,\n"
-        "a landslide, and two materials. The page has the time of each pass, the camera and the state "
+        "a landslide, two materials, and a valley in summer with a slide. The page has the time of each "
+        "pass, the camera and the state "
         "hash.\n");
 }
 

@@ -136,10 +136,12 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
     drawn.state_hash = hex(session.state_line().hash);
     drawn.camera = moment.view.camera.value_or(own);
     drawn.light = moment.view.light;
+    render::Look look = scenario.look;
+    if (moment.view.date) look.date = moment.view.date;
     const render::FrameInput input{.world = session.view(),
                                    .camera = drawn.camera,
                                    .light = drawn.light,
-                                   .look = scenario.look,
+                                   .look = look,
                                    .flow = session.fronts(),
                                    .width = options.size.width,
                                    .height = options.size.height,

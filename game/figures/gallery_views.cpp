@@ -9,7 +9,8 @@ constexpr std::int64_t seconds(std::int64_t s) {
 }
 
 // Of the sun: azimuth and height above the horizon, degrees.
-constexpr render::Light kDawn{110, 3}, kNoon{215, 42}, kAfternoon{260, 18}, kDusk{262, -3}, kNight{75, -14};
+constexpr render::Light kDawn{110, 3}, kForenoon{120, 44}, kNoon{215, 42}, kAfternoon{260, 18},
+    kDusk{262, -3}, kNight{75, -14};
 
 }  // namespace
 
@@ -21,6 +22,10 @@ std::vector<GalleryView> gallery_views() {
     const render::Camera front{{1075, 800, 1290}, 170, 5, 90, 50};
     const render::Camera against_sun{{1060, 640, 1240}, 98, 9, 330, 55};
     const render::Camera deposit{{1110, 420, 1200}, 95, 16, 260, 45};
+    const render::Camera across{{700, 460, 930}, 200, 14, 800, 50};
+    const render::Camera village{{1010, 290, 905}, 215, 7, 150, 50};
+    const render::Camera slope{{985, 440, 950}, 185, 12, 190, 50};
+    const render::Camera fan{{1005, 310, 905}, 205, 12, 120, 50};
     return {
         {"valley-dawn", "A winter valley at dawn", "winter-valley", 0, valley, kDawn},
         {"valley-noon", "A winter valley at noon", "winter-valley", 0, valley, kNoon},
@@ -35,6 +40,11 @@ std::vector<GalleryView> gallery_views() {
         {"deposit", "The deposit", "winter-avalanche", std::nullopt, deposit, kAfternoon},
         {"landslide", "A landslide", "landslide", seconds(15), std::nullopt, kAfternoon},
         {"two-materials", "Wet snow on soil", "snow-on-soil", seconds(60), std::nullopt, kAfternoon},
+        {"summer-valley", "A valley in July", "hillside", 0, std::nullopt, kForenoon},
+        {"autumn-valley", "The same in October", "hillside", 0, across, kAfternoon, render::Date{10, 9}},
+        {"summer-village", "The village", "hillside", 0, village, kForenoon},
+        {"summer-slide", "The slope lets go", "hillside", seconds(24), slope, kForenoon},
+        {"summer-deposit", "What it left in the village", "hillside", std::nullopt, fan, kAfternoon},
         {"hill", "A real hill", "", 0, std::nullopt, kAfternoon},
     };
 }

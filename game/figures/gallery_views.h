@@ -18,6 +18,7 @@ struct GalleryView {
     std::optional<std::int64_t> tick;      // none: at rest
     std::optional<render::Camera> camera;  // none: the scene's own, or an overview
     render::Light light;
+    std::optional<render::Date> date = std::nullopt;  // none: the scene's own
 };
 
 // All views, in the page's order. Views of one scene follow each other by tick, so that a scene is simulated
