@@ -43,7 +43,7 @@ vec3 leaves(Tree tree) {
     // Leaves of spring are lighter.
     if (frame.season.z == 0.0) green *= 1.0 + 0.35 * (1.0 - smoothstep(0.6, 1.0, frame.season.y)) * vec3(1.2, 1.0, 0.6);
     float gone = clamp((frame.season.z + 0.5 * frame.season.z * (1.0 - frame.season.y) - first) / 0.35, 0.0, 1.0);
-    return mix(mix(green, yellow, min(2.0 * gone, 1.0)), turned, max(2.0 * gone - 1.0, 0.0));
+    return mix(mix(green, yellow, min(2.0 * gone, 1.0)), 0.9 * turned, max(2.0 * gone - 1.0, 0.0));
 }
 vec3 bark(Tree tree) {
     if (is_kind(tree, TREE_BIRCH)) return in_leaf(tree) ? vec3(0.210, 0.200, 0.180) : vec3(0.105, 0.086, 0.076);  // with all its twigs

@@ -57,7 +57,7 @@ void main() {
     vec4 snows = snow(tree);
     // A load of snow shades needles: bare ones are brighter, or a wood without snow would be a black mass.
     bool leafy = in_leaf(tree);
-    vec3 colour = needles(tree) * (leafy ? 2.4 : mix(2.8, 1.0, snows.a)), needle = colour * kept * lights.needle;
+    vec3 colour = needles(tree) * (leafy ? 2.9 : mix(2.8, 1.0, snows.a)), needle = colour * kept * lights.needle;
     // Needles on the side of the sun are brighter by the sun's share of their light.
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;
     dark = vec4(needle, clamp(aside, -0.95, 0.95));

@@ -1,6 +1,6 @@
 // Trees: which of the trees a camera sees, and how each is drawn, as render/woods/trees_in_view.cpp finds them.
 const kHalfWidth = 0.19, kHalfWidths = {TREE_PINE: 0.8, TREE_BEECH: 0.26, TREE_BIRCH: 0.185, TREE_BUSH: 0.58};  // of a tree, of its height
-const kWiderInStand = 0.2, kBushGone = 4, kBushWhole = 16;  // pixels of height: below the first no bush is drawn
+const kWiderInStand = 0.2, kBushGone = 5, kBushWhole = 20;  // pixels of height: below the first no bush is drawn
 const kWideOfHeight = 0.0145, kLeastWide = 5.5, kMostWide = 10.5;  // of the mean tree: of the frame's height, pixels
 const kMeanWidth = 5, kMostTogether = 20;  // m; trees that one stands for
 const kGroup = 8, kWidthOfGroup = 0.75, kTaller = 0.4;

@@ -23,8 +23,8 @@ constexpr float kMeanWidth = 5;                                                 
 // not as wide because it has no flanks to its foot.
 constexpr float kGroup = 8, kWidthOfGroup = 0.75f;
 constexpr float kTaller = 0.4f;  // power of how many it stands for by which one is taller
-constexpr float kBushGone = 4,
-                kBushWhole = 16;  // pixels of height: below the first none is drawn, from the second on all
+constexpr float kBushGone = 5,
+                kBushWhole = 20;  // pixels of height: below the first none is drawn, from the second on all
 constexpr float kLongestShadow = 36;  // m
 constexpr float kShadowPixels =
     7;  // height below which a tree casts none, or four times that within a stand, and a bush

@@ -25,7 +25,7 @@ constexpr double kTilesAlongSide = 24;
 constexpr double kShortest = 9, kTallest = 23;           // m, of full-grown trees
 constexpr double kLeastPine = 1.2, kMostPine = 2.6;      // m, heights of dwarf pine
 constexpr double kSunk = 0.4;                            // m, so that no foot hangs over a slope
-constexpr double kBushesPerHectare = 400;                // in a closed thicket
+constexpr double kBushesPerHectare = 600;                // in a closed thicket
 constexpr double kLastBush = 0.25;                       // longer sides, from the grid to the last bush
 constexpr double kLowestBush = 1.9, kTallestBush = 4.4;  // m
 constexpr int kPlacesPeriod = 1 << 20;                   // places until the hash repeats: more than there are
@@ -138,7 +138,7 @@ class Growth {
     double bushy(glm::dvec2 at, const Site& site, double near_stand, double steep) const {
         if (!rules_.mixed) return 0;
         const double clumps =
-            ramp(0.12, 0.50, noise(at, 31, rules_.seed + 8) + 0.40 * noise(at, 11, rules_.seed + 9));
+            ramp(0.34, 0.62, noise(at, 31, rules_.seed + 8) + 0.40 * noise(at, 11, rules_.seed + 9));
         const double edge = near_stand * (1 - site.closed) + 0.10 * site.closed;
         return clumps * std::min(edge + 0.8 * site.gully, 1.0) * ramp(0.90, 0.70, steep) *
                ramp(0, 25, site.below);
