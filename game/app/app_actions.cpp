@@ -167,7 +167,7 @@ void App::begin_photo() {
     if (screen_.size().width == 0) return;
     hand_.drop();
     const auto middle = lookout_.land_under({0, 0}, sandbox_->session().view());
-    photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, lookout_.aspect(),
+    photo_.begin(sandbox_->scenario(), lookout_.control(), display_.light, display_.date, lookout_.aspect(),
                  lookout_.ground().value_or(middle.value_or(camera().target)));
 }
 
@@ -252,6 +252,7 @@ void App::perform(const SaveWorld& wish) {
         now.camera->azimuth_deg =
             std::remainder(now.camera->azimuth_deg, 360.0);  // it may have turned on and on
         now.light = display_.light;
+        now.look.date = display_.date;
         const std::string name = wish.name.empty() ? shelf_name(now.title) : wish.name;
         return keep_on_shelf(ShelfKind::kWorld, name, recording_of(now));
     });
@@ -547,6 +548,7 @@ void App::perform(const FilmSlide& film) {
                                .last = last,
                                .camera = camera(),
                                .light = display_.light,
+                               .date = display_.date,
                                .path = path_.keys()},
                               film.wish);
     });
@@ -749,6 +751,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     }
     if (!same_scene) {
         display_.light = scenario.light;
+        display_.date = scenario.look.date;
         lookout_.enter(home(), sandbox_->session().view());
     }
     if (scenario.flow) display_.flow = scenario.flow->numbers;

@@ -53,6 +53,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     if (!recording) return tl::unexpected(recording.error());
     Scenario& scenario = recording->header.scenario;
     scenario.light = subject.light;
+    scenario.look.date = subject.date;
     render::Camera camera = subject.camera;
     if (wish.view == FilmView::kFront) {
         const auto front = front_camera(scenario, recording->commands, Until::after(subject.last), {});

@@ -23,8 +23,9 @@ class Filming {
         std::string recording;  // the text of the whole file
         std::string name;       // of the new file in couloir/films of the XDG data folder
         std::int64_t last = 0;  // tick; it begins shortly before the first command
-        render::Camera camera;  // as the window sees it, and the light
+        render::Camera camera;  // as the window sees it, the light, and the date of its look
         render::Light light;
+        std::optional<render::Date> date = {};
         std::vector<CameraKey> path = {};  // of FilmView::kPath
     };
     // Starts; nothing must be under way. Errors: the system cannot start a thread.

@@ -8,11 +8,11 @@
 namespace game {
 
 void PhotoMode::begin(const Scenario& scenario, const CameraControl& camera, const render::Light& light,
-                      double aspect, const glm::dvec3& focus) {
+                      std::optional<render::Date> date, double aspect, const glm::dvec3& focus) {
     before_ = camera.fields_of_view();
     first_mm_ = focal_length_of(before_.now, aspect);
     settings_ = PhotoSettings{.focal_mm = first_mm_};
-    day_ = photo_day(scenario);
+    day_ = photo_day(scenario, date);
     hour_ = hour_like(light, day_);
     light_ = light;
     focus_ = focus;

@@ -180,6 +180,7 @@ Settings only_kept(const Settings& all) {
     kept.display.flow = usual.flow;
     kept.display.surroundings = usual.surroundings;  // the scene says
     kept.display.light = usual.light;
+    kept.display.date = usual.date;
     kept.display.probability = usual.probability;
     kept.display.tier = usual.tier;
     return kept;

@@ -224,6 +224,7 @@ void WorldImage::draw_once(const Subject& subject, const ImageSize& image,
     const Display& display = seen_.display;
     render::Look look = scenario.look;
     look.detail = display.detail;
+    look.date = display.date;
     if (trial_) renderer_.forget();  // measured are images whose every pixel is new
     renderer_.set_quality(image.fine     ? render::Quality::kFine
                           : image.moving ? render::Quality::kMoving

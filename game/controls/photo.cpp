@@ -39,7 +39,7 @@ FocalLengths focal_lengths(double aspect) {
     return {least, std::max(least, std::min(kLongestLens, focal_length_of(kNarrowestView, aspect)))};
 }
 
-PhotoDay photo_day(const Scenario& scenario) {
+PhotoDay photo_day(const Scenario& scenario, std::optional<render::Date> date) {
     const sim::Grid& grid = scenario.grid;
     const auto dx = static_cast<double>(grid.dx);
     PhotoDay day;
@@ -47,8 +47,13 @@ PhotoDay photo_day(const Scenario& scenario) {
         day.latitude_deg = place->latitude;
     const glm::vec3& layer = scenario.look.standing;
     const bool is_snow = std::min({layer.r, layer.g, layer.b}) >= kBrightAsSnow;
+    // Cooper (1969).
+    const double usual =
+        date      ? 23.45 * std::sin(glm::radians(360.0 / 365 * (284 + render::day_of_year(*date))))
+        : is_snow ? kWinter
+                  : kSummer;
     // South of the equator the months are the other way round.
-    day.declination_deg = (is_snow ? kWinter : kSummer) * (day.latitude_deg < 0 ? -1 : 1);
+    day.declination_deg = usual * (day.latitude_deg < 0 ? -1 : 1);
     return day;
 }
 

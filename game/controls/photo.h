@@ -41,9 +41,9 @@ struct PhotoDay {
     double latitude_deg = 47;
     double declination_deg = -13;
 };
-// At the place of a world, or else at 47° north: in the middle of February where the layer is as bright as snow, else in
-// the middle of July.
-PhotoDay photo_day(const Scenario& scenario);
+// At the place of a world, or else at 47° north: on the date, or without one in the middle of February where the layer is as
+// bright as snow, else in the middle of July.
+PhotoDay photo_day(const Scenario& scenario, std::optional<render::Date> date);
 // The sun at an hour of it, 0 to 24, no lower than a scene may have it.
 render::Light light_at(double hour, const PhotoDay& day);
 // The hour of it at which the sun is nearest to that of `light`, in steps of a quarter.

@@ -43,6 +43,22 @@ bool probability(Desk& desk, const RunsNote& runs, Display& display) {
     return changed;
 }
 
+// In which month plants are drawn, where the scene says on which day.
+bool month(Desk& desk, const Facts& facts, Display& display) {
+    constexpr std::array kMonths{"January", "February", "March",     "April",   "May",      "June",
+                                 "July",    "August",   "September", "October", "November", "December"};
+    if (!facts.scenario.look.date || !display.date) return false;
+    constexpr int kMiddle = 15;  // day
+    int chosen = display.date->month - 1;
+    desk.widgets.row("Month");
+    if (!desk.widgets.choice("Month", chosen, static_cast<int>(kMonths.size()),
+                             "How far grass and leaves are, for the eye alone.",
+                             [](int i) { return kMonths[static_cast<std::size_t>(i)]; }))
+        return false;
+    display.date = render::Date{chosen + 1, kMiddle};
+    return true;
+}
+
 bool colours(Desk& desk, const Facts& facts, Display& display) {
     int chosen = 0;
     for (std::size_t i = 0; i < kOverlays.size(); ++i)
@@ -71,6 +87,7 @@ bool colours(Desk& desk, const Facts& facts, Display& display) {
                                 "Dashed: what your best run of this challenge had reached by the same time.");
     if (facts.scenario.trees.density > 0)
         changed |= desk.widgets.toggle("Trees", display.trees, "Trees of the scene, for the eye alone.");
+    changed |= month(desk, facts, display);
     return changed;
 }
 

@@ -5,13 +5,6 @@
 namespace render {
 namespace {
 
-// Of a leap year, 1 for the first of January.
-constexpr int day_of_year(Date date) {
-    int day = date.day;
-    for (int month = 1; month < date.month; ++month) day += days_of(month);
-    return day;
-}
-
 // 0 until a date, 1 from a later one on.
 float since(int day, Date from, Date to) {
     return ramp(static_cast<float>(day_of_year(from)), static_cast<float>(day_of_year(to)),

@@ -19,6 +19,13 @@ constexpr int days_of(int month) {
     return month < 1 || month > 12 ? 0 : kDaysOfMonths[static_cast<std::size_t>(month - 1)];
 }
 
+// Of a leap year, 1 for the first of January.
+constexpr int day_of_year(Date date) {
+    int day = date.day;
+    for (int month = 1; month < date.month; ++month) day += days_of(month);
+    return day;
+}
+
 // How far plants are, in a valley of the Alps, 0 to 1 each. Chosen by eye after the phenological calendar of such places.
 struct Season {
     float green = 0;   // of grass: 0 straw, 1 in full growth
