@@ -21,6 +21,7 @@
 #include "render/passes/drawn_extent.h"
 #include "render/passes/drawn_land.h"
 #include "render/passes/drawn_probability.h"
+#include "render/passes/drawn_water.h"
 #include "render/passes/fields_to_gpu.h"
 #include "render/passes/flow_pass.h"
 #include "render/passes/fullscreen_pass.h"
@@ -96,6 +97,7 @@ struct Renderer::Parts {
     DrawnExtent extent;
     DrawnLand land;
     DrawnProbability probability;
+    DrawnWater water;
 
     // The stages of a frame, in order.
     Frame begin(const FrameInput& input);
@@ -248,7 +250,8 @@ void Renderer::Parts::upload(const Frame& frame) {
     WhatChanged& changed = redrawn.world;
     changed.compare(input.world, fields.find_mixture(input.world), input.first_depth,
                     input.surrounded() ? std::nullopt : std::optional(frame.block.ground.y), rules,
-                    frame.new_world, {frame.ground.moved, SurfacePass::openness_reach(input.world.grid)});
+                    frame.new_world, {frame.ground.moved, SurfacePass::openness_reach(input.world.grid)},
+                    water.send(input));
     fields.upload_layers(input.world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(frame_block.name(), 0, sizeof frame.block, &frame.block);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, frame_block.name());
@@ -291,6 +294,7 @@ void Renderer::Parts::compute(const Frame& frame) {
 
     // Heights, slopes and shares of the layers.
     if (input.marks.overlay == Overlay::kProbability) probability.bind(input);
+    if (input.marks.overlay == Overlay::kWater) water.bind();
     surface.run(changed.groups());
     surface.bind();
     clock.mark(Pass::kSurface);

@@ -37,6 +37,7 @@
 #define SLOT_POWDER_LOWER 29    // R16F: share of the lower material times opacity
 #define SLOT_EXTENT SLOT_PICTURE // R8, while the ground is shaded: FrameInput::extent
 #define SLOT_PROBABILITY SLOT_PICTURE // R32F, while surfaces are computed: FrameInput::probability, %
+#define SLOT_WATER SLOT_PICTURE // R32F, in its place: sim::Things::water, 0 to 1
 #define SLOT_LAND SLOT_POWDER_LOWER // RGBA8, while ground is shaded: render/mountain/land.h
 #define SLOT_TREE_PICTURES SLOT_PICTURE // RGB8, while trees are drawn: conifers.png and trees-in-leaf.png of assets/textures
 #define SLOT_LENS_REACH SLOT_SKY // R16F, while a photo is taken: radii of blocks of pixels
@@ -80,6 +81,7 @@
 #define OVERLAY_STRETCH 5
 #define OVERLAY_PRESSURE 6
 #define OVERLAY_PROBABILITY 7
+#define OVERLAY_WATER 8
 
 // Where a flow's texture is drawn
 #define FLOW_NOWHERE 0

@@ -7,6 +7,7 @@ layout(binding = SLOT_VELOCITY_Y) uniform sampler2D velocity_y;
 layout(binding = SLOT_MIXTURE) uniform sampler2D mixture;
 layout(binding = SLOT_OPENNESS) uniform sampler2D openness;
 layout(binding = SLOT_PROBABILITY) uniform sampler2D probability;
+layout(binding = SLOT_WATER) uniform sampler2D water;
 layout(std430, binding = SLOT_SURFACE_GROUPS) readonly buffer Groups { int groups[]; };
 layout(binding = IMAGE_RELIEF, rgba32f) uniform writeonly image2D relief;
 layout(binding = IMAGE_LAYERS, rgba8) uniform writeonly image2D layers;
@@ -37,6 +38,7 @@ vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) 
         case OVERLAY_ROLLING: return vec2(r, 1.0) * rolls;
         case OVERLAY_SPEED: return vec2(length(velocity), 1.0) * rolls;
         case OVERLAY_PROBABILITY: return vec2(texelFetch(probability, v, 0).r, 1.0);
+        case OVERLAY_WATER: return vec2(100.0 * texelFetch(water, v, 0).r, 1.0);
         case OVERLAY_PRESSURE: return vec2(pressure(v, velocity), 1.0) * rolls;
     }
     return vec2(0.0);

@@ -369,7 +369,7 @@ class Live {
         const values = this.settings.get(tool.name);
         tool.numbers.forEach((each, i) => {
             if (each.fixed) return;
-            slider(each.label, each.tooltip, [each.least, each.most], values[i], value => worded(each.format, value), value => {
+            slider(each.label, each.tooltip, [each.least, each.most], values[i], value => worded(each.format, value * each.scale), value => {
                 values[i] = value;
                 this.setBrush({numbers: values});
             });

@@ -319,10 +319,14 @@ void App::draw_section(const std::optional<glm::dvec3>& at) {
     if (!input_.brush_held()) open_.measuring.release();
 }
 
-// A challenge has its own tools and limits.
+// A challenge has its own tools and limits, and not every world takes water.
 void App::fit_hand() {
-    const auto& goal = sandbox_->scenario().goal;
-    if (goal && !hand_.stroke()) hand_.fit(*goal);
+    if (hand_.stroke()) return;
+    const Scenario& scenario = sandbox_->scenario();
+    if (scenario.goal)
+        hand_.fit(*scenario.goal);
+    else if (!is_offered(info_of(hand_.brush().tool), scenario, sandbox_->session().state()))
+        hand_.choose(Tool::kPour);
 }
 
 void App::begin_stroke() {

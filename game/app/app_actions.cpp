@@ -190,9 +190,12 @@ void App::perform(const SetSpeed& set) {
     time_.clock().set_speed(set.speed);
 }
 void App::perform(Tool tool) {
-    const auto& goal = sandbox_->scenario().goal;
-    if (goal && !tool_of(*goal, deed_of(tool).kind))
-        return tell(said("{} is no tool of this challenge", tr(deed_of(tool).label)));
+    const Scenario& scenario = sandbox_->scenario();
+    if (!is_offered(info_of(tool), scenario, sandbox_->session().state()))
+        return tell(scenario.goal && !tool_of(*scenario.goal, deed_of(tool).kind)
+                        ? said("{} is no tool of this challenge", tr(deed_of(tool).label))
+                        : said("{} needs soil: a material heavier than water that has friction",
+                               tr(deed_of(tool).label)));
     hand_.choose(tool);
 }
 void App::perform(const SetBrush& set) {

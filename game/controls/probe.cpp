@@ -110,6 +110,7 @@ std::optional<Reading> Probe::read(const sim::View& world, glm::dvec2 at) {
     if (world.things) {
         reading.thing = thing_at(world, at);
         reading.forest = world.things->forest(x, y);
+        reading.water = between(square, world.things->water);
         reading.earth = between(square, world.things->earth);
     }
 

@@ -33,6 +33,7 @@ struct Reading {
     std::optional<double> lower_share;
     std::optional<sim::Thing> thing;  // that stands there, with what became of it
     sim::Stems forest;                // at the nearest vertex
+    double water = 0;                 // share of the standing layer that is saturated, 0 to 1
     double earth = 0;                 // m, by which the ground was raised there; negative: lowered
     std::array<char, 96>
         where{};  // "47.30012° N 11.43210° E, UTM 32T 683912 5240010"; empty without georeference

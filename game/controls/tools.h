@@ -9,8 +9,11 @@
 
 #include "game/controls/events.h"
 #include "sim/world/command.h"
+#include "sim/world/state.h"
 
 namespace game {
+
+struct Scenario;
 
 // What the left button can do to the world. A new tool is a name here and a row in tools.cpp; its button, key,
 // help, hint, sliders, ring and commands follow from them.
@@ -21,6 +24,7 @@ enum class Tool : std::uint8_t {
     kSculpt,
     kSmooth,
     kLevel,
+    kWater,
     kPlant,
     kHouse,
     kNet,
@@ -77,6 +81,7 @@ struct ToolNumber {
     const char* tooltip;
     double sim::Command::*member;
     double least, most, usual;
+    double scale = 1;  // of what is shown: 1000 for mm of a number in m
 };
 inline constexpr std::size_t kMostToolNumbers = 4;
 
@@ -95,6 +100,8 @@ const ToolInfo& info_of(Tool tool);
 // What a tool does while these modifiers are held.
 const Deed& deed_of(Tool tool, Modifiers with = {});
 
+// Whether a person has a tool in this world: a challenge must have it, and water must act there.
+bool is_offered(const ToolInfo& info, const Scenario& scenario, const sim::State& state);
 // Whether commands of this kind take a member.
 bool takes(sim::CommandKind kind, double sim::Command::*member);
 

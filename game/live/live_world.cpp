@@ -72,6 +72,7 @@ Json json_of(const ToolInfo& tool, const Goal::Tool* limited, const RadiusRange&
                            {"tooltip", each.tooltip},
                            {"least", range.least},
                            {"most", range.most},
+                           {"scale", each.scale},
                            {"usual", std::clamp(each.usual, range.least, range.most)},
                            {"fixed", fixed || range.least == range.most}});
     }
@@ -256,7 +257,7 @@ Json LiveWorld::facts() const {
         const auto allowed = [&](const Deed& deed) {
             return !scenario.goal || tool_of(*scenario.goal, deed.kind);
         };
-        if (!allowed(*info.plain)) continue;
+        if (!is_offered(info, scenario, state())) continue;
         Json tool =
             json_of(info, scenario.goal ? tool_of(*scenario.goal, info.plain->kind) : nullptr, radius);
         for (const auto& [key, deed] : {std::pair("control", info.control), std::pair("shift", info.shift)})

@@ -16,7 +16,7 @@ struct OverlayName {
     render::Overlay overlay;
     const char* name;
 };
-constexpr std::array<OverlayName, 8> kOverlays{{
+constexpr std::array<OverlayName, 9> kOverlays{{
     {render::Overlay::kNone, "material"},
     {render::Overlay::kSlope, "slope"},
     {render::Overlay::kStanding, "standing depth"},
@@ -24,6 +24,7 @@ constexpr std::array<OverlayName, 8> kOverlays{{
     {render::Overlay::kSpeed, "speed in plan"},
     {render::Overlay::kPressure, "pressure"},
     {render::Overlay::kStretch, "texture stretch"},
+    {render::Overlay::kWater, "water in the soil"},
     {render::Overlay::kProbability, "probability"},  // the last one, because only many runs have it
 }};
 

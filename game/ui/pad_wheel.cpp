@@ -13,10 +13,9 @@ namespace {
 constexpr float kRadius = 9, kChosenRadius = 2.3f, kRimWidth = 5.2f;  // em
 
 // Whether the world lets a person have it.
-bool is_offered(const PadChoice& choice, const Facts& facts) {
+bool is_there(const PadChoice& choice, const Facts& facts) {
     const Tool* const tool = std::get_if<Tool>(&choice.does);
-    const auto& goal = facts.scenario.goal;
-    return !tool || !goal || tool_of(*goal, info_of(*tool).plain->kind);
+    return !tool || is_offered(info_of(*tool), facts.scenario, facts.state);
 }
 
 void centred(ImDrawList& list, ImFont& font, ImVec2 middle, ImU32 colour, std::string_view text) {
@@ -43,9 +42,9 @@ void pad_wheel(Desk& desk, const Facts& facts) {
         const ImVec2 at{middle.x + radius * static_cast<float>(std::sin(turn)),
                         middle.y - radius * static_cast<float>(std::cos(turn))};
         const bool on = chosen == i;
-        const ImU32 colour = on                              ? kAccentText
-                             : is_offered(choices[i], facts) ? palette().text
-                                                             : faded(palette().dim_text, 0.5f);
+        const ImU32 colour = on                            ? kAccentText
+                             : is_there(choices[i], facts) ? palette().text
+                                                           : faded(palette().dim_text, 0.5f);
         if (on) list.AddCircleFilled(at, kChosenRadius * em, kAccent);
         const Tool* const tool = std::get_if<Tool>(&choices[i].does);
         if (tool) draw_icon(list, info_of(*tool).plain->icon, {at.x, at.y - em * 0.5f}, em * 1.3f, colour);

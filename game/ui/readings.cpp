@@ -86,6 +86,8 @@ void rows(Desk& desk, const Facts& facts, const Reading& reading) {
     else
         widgets.fact("Aspect", "level");
     widgets.fact("Standing", "%.2f m", reading.standing);
+    if (reading.water > 0 || facts.brush.tool == Tool::kWater)
+        widgets.fact("Wet", "%.0f %%", 100 * reading.water);
     widgets.fact("Rolling", "%.2f m", reading.rolling);
     if (reading.rolling > 0 && !speaks_plainly()) widgets.fact("Thickness", "%.2f m", reading.thickness);
     if (reading.lower_share)

@@ -38,12 +38,6 @@ const Deed& shown(const ToolInfo& info, const Facts& facts) {
     return info.tool == facts.brush.tool ? facts.deed : *info.plain;
 }
 
-// Whether a challenge has this tool. Without one there are all.
-bool is_there(const ToolInfo& info, const Facts& facts) {
-    const auto& goal = facts.scenario.goal;
-    return !goal || tool_of(*goal, info.plain->kind);
-}
-
 // Whether a challenge leaves no choice in a number of the tool.
 bool is_fixed(double sim::Command::*number, const Facts& facts) {
     const Goal::Tool* const tool =
@@ -57,7 +51,7 @@ template <class Button>
 void each_tool(Desk& desk, const Facts& facts, bool wordless, const Button& button) {
     const ToolInfo* before = nullptr;
     for (const ToolInfo& info : tool_infos()) {
-        if (!is_there(info, facts)) continue;
+        if (!is_offered(info, facts.scenario, facts.state)) continue;
         const std::string key = desk.narrow() ? std::string() : name_of(facts.keys, info.tool);
         float width = 0;  // the same with every key that may be held, so that no button moves
         for (const Deed* deed : {info.plain, info.control, info.shift})
@@ -107,8 +101,14 @@ bool pours(const ToolInfo& info) {
 
 bool slide(Desk& desk, const ToolNumber& number, double& value, float width) {
     const bool wide = number.most / number.least > 20;
-    return desk.widgets.slider(
-        number.label, value, {number.least, number.most, number.format, wide, false, width}, number.tooltip);
+    double shown = number.scale * value;
+    if (!desk.widgets.slider(
+            number.label, shown,
+            {number.scale * number.least, number.scale * number.most, number.format, wide, false, width},
+            number.tooltip))
+        return false;
+    value = std::clamp(shown / number.scale, number.least, number.most);
+    return true;
 }
 
 // Radius and numbers of the tool in the hand.

@@ -20,6 +20,7 @@ static_assert(OVERLAY_SPEED == static_cast<int>(Overlay::kSpeed));
 static_assert(OVERLAY_STRETCH == static_cast<int>(Overlay::kStretch));
 static_assert(OVERLAY_PRESSURE == static_cast<int>(Overlay::kPressure));
 static_assert(OVERLAY_PROBABILITY == static_cast<int>(Overlay::kProbability));
+static_assert(OVERLAY_WATER == static_cast<int>(Overlay::kWater));
 
 constexpr double kWidestDetail = 600;    // m, least width of a tile of the broadest detail
 constexpr double kWidestFlowTile = 130;  // m; the largest blocks on it are some 7 m

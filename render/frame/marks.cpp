@@ -70,9 +70,18 @@ constexpr std::array<LegendStop, 6> kProbability{{
     {95, {0.267f, 0.005f, 0.329f}},
 }};
 
+// Shares of saturation, one blue hue from light to dark: dark is wet.
+constexpr std::array<LegendStop, 5> kWater{{
+    {10, {0.84f, 0.92f, 0.97f}},
+    {25, {0.60f, 0.78f, 0.88f}},
+    {50, {0.30f, 0.57f, 0.78f}},
+    {75, {0.09f, 0.35f, 0.65f}},
+    {100, {0.03f, 0.14f, 0.40f}},
+}};
+
 static_assert(kSlope.size() <= MOST_STOPS && kDepth.size() <= MOST_STOPS && kSpeed.size() <= MOST_STOPS &&
               kStretch.size() <= MOST_STOPS && kPressure.size() <= MOST_STOPS &&
-              kProbability.size() <= MOST_STOPS);
+              kProbability.size() <= MOST_STOPS && kWater.size() <= MOST_STOPS);
 
 }  // namespace
 
@@ -91,6 +100,8 @@ Legend legend_of(Overlay overlay) {
             return {kPressure, "kPa", true};
         case Overlay::kProbability:
             return {kProbability, "%", true};
+        case Overlay::kWater:
+            return {kWater, "%", false};
         case Overlay::kNone:
             break;
     }

@@ -21,6 +21,7 @@ enum class Overlay {
     kStretch,      // distortion of the textures that a flow advects: greatest over least stretch
     kPressure,     // impact pressure ρ v² of the rolling layer, v along the slope; needs Marks::density
     kProbability,  // of FrameInput::probability; needs Marks::probability
+    kWater,        // share of the standing layer that is saturated
 };
 
 // A circle around a place, draped on the surface.

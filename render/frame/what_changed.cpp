@@ -50,7 +50,8 @@ int groups_along(int vertices) {
 
 void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> mixture,
                           std::span<const float> first_depth, std::optional<float> walls_to,
-                          const RedrawRules& rules, bool everything, const ChangedGround& ground) {
+                          const RedrawRules& rules, bool everything, const ChangedGround& ground,
+                          std::span<const glm::ivec2> water) {
     rules_ = rules;
     everything |= grid_ != world.grid || mixture_.size() != mixture.size();
     if (grid_ != world.grid) resize(world);
@@ -69,7 +70,10 @@ void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> 
 
     for (int y = 0; y < grid_.ny; ++y) compare_row(world, y, everything);
     compare_mixture(mixture);
-    if (!everything) compare_ground(world, ground);
+    if (!everything) {
+        compare_ground(world, ground);
+        for (const glm::ivec2 v : water) change(v.x, v.y);
+    }
     collect_groups();
     if (everything) {
         height_before_ = height_;

@@ -48,10 +48,11 @@ class WhatChanged {
   public:
     // Compares the fields with those of the last call, bit by bit, and begins with the squares that they change.
     // `mixture`: two bytes per vertex, as drawn; empty in a world of one material. `walls_to`: the sides of the grid
-    // are seen, down to this height, m. `everything`: as if all differed. Allocates nothing while grid and bedrock stay.
+    // are seen, down to this height, m. `everything`: as if all differed. `water`: vertices
+    // where the overlay of water has changed. Allocates nothing while grid and bedrock stay.
     void compare(const sim::View& world, std::span<const std::uint8_t> mixture,
                  std::span<const float> first_depth, std::optional<float> walls_to, const RedrawRules& rules,
-                 bool everything, const ChangedGround& ground = {});
+                 bool everything, const ChangedGround& ground = {}, std::span<const glm::ivec2> water = {});
     // Adds what changed besides: vertices of a flow, shadows, a ring or an outline that is drawn elsewhere than in
     // the last frame.
     // `shown`, `shown_before`: per square, not 0 if the flow is seen there.

@@ -405,13 +405,17 @@ std::optional<std::string> fault_of_sculpting(const State& s, const Command& c) 
 }
 
 // Water in the soil acts by the weight of the soil, in the models whose friction it takes.
+double lightest_density(const State& s) {
+    return static_cast<double>(s.mixture ? std::min(s.params.density, s.mixture->lower.density)
+                                         : s.params.density);
+}
+
 std::optional<std::string> fault_of_soaking(const State& s, const Command& c) {
     const std::string_view name = info_of(c.kind).name;
     if (!has_momentum(s.params.model))
         return joined({name, " acts in the models bcre-inertial and voellmy, and this world has ",
                        to_string(s.params.model)});
-    const double lightest = static_cast<double>(
-        s.mixture ? std::min(s.params.density, s.mixture->lower.density) : s.params.density);
+    const double lightest = lightest_density(s);
     if (lightest > kWaterDensity) return std::nullopt;
     const std::string lacks = lightest > 0 ? joined({"has ", number_text(lightest), " kg/m3"}) : "has none";
     return joined({name, " needs a material with a density of over ", number_text(kWaterDensity),
@@ -496,6 +500,10 @@ std::optional<std::string> fault_of_visits(const Grid& grid, std::span<const Com
     return joined({"the commands of things visit ", std::to_string(visits),
                    " vertices together; on this grid ", std::to_string(most),
                    " are allowed: use smaller discs, or fewer at once"});
+}
+
+bool takes_water(const State& s) {
+    return has_momentum(s.params.model) && lightest_density(s) > kWaterDensity;
 }
 
 std::optional<std::string> fault_of_place(const State& s, const Command& c) {

@@ -20,6 +20,10 @@ bool is_of_objects(const Command& command);
 // or soil that water does not act on. Nothing for other commands.
 std::optional<std::string> fault_of_place(const State& state, const Command& command);
 
+// Whether `wet` and `drain` act in this world, which is everywhere the same: it has a model with friction, and materials
+// heavier than water.
+bool takes_water(const State& state);
+
 // Commands of things cost time by the vertices that they visit: those of a disc, and once the whole grid for objects
 // in a row. In one tick they may visit kMostVisits times the grid, a few times what the tick itself does, or
 // kAlwaysVisits if that is more. Those before tick 0 are done once, so that they may visit kAlwaysVisitsBefore.

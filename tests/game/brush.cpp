@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "game/scene/scenario.h"
+#include "sim/world/things.h"
+
 namespace game::test {
 namespace {
 
@@ -143,13 +146,14 @@ TEST(Tools, do_the_opposite_with_control_and_smooth_earth_with_shift) {
     EXPECT_EQ(kind(Tool::kSculpt, kShiftHeld), CommandKind::kSmooth);
     EXPECT_EQ(kind(Tool::kLevel, kShiftHeld), CommandKind::kSmooth);
     EXPECT_EQ(kind(Tool::kPlant, kControlHeld), CommandKind::kFell);
+    EXPECT_EQ(kind(Tool::kWater, {}), CommandKind::kWet);
+    EXPECT_EQ(kind(Tool::kWater, kControlHeld), CommandKind::kDrain);
     for (const Tool tool : {Tool::kHouse, Tool::kNet, Tool::kRoad, Tool::kLift})
         EXPECT_EQ(kind(tool, kControlHeld), CommandKind::kRemove);
 }
 
-TEST(Tools, reach_every_command_but_those_of_parameters_turning_and_water) {
-    constexpr sim::CommandKind kWithout[] = {sim::CommandKind::kSet, sim::CommandKind::kTurn,
-                                             sim::CommandKind::kWet, sim::CommandKind::kDrain};
+TEST(Tools, reach_every_command_but_those_of_parameters_and_turning) {
+    constexpr sim::CommandKind kWithout[] = {sim::CommandKind::kSet, sim::CommandKind::kTurn};
     std::set<sim::CommandKind> kinds;
     for (const ToolInfo& info : tool_infos())
         for (const Deed* deed : {info.plain, info.control, info.shift}) kinds.insert(deed->kind);
@@ -205,6 +209,54 @@ TEST(Stroke, sculpts_by_time_up_and_with_control_down) {
         for (const sim::Command& c : commands) sum += c.rise;
         EXPECT_NEAR(sum, down ? -brush.own()[0] : brush.own()[0], 1e-9);  // a second of it
     }
+}
+
+// As deep as the disc is wide or narrow.
+TEST(Stroke, waters_by_depth_and_with_control_drains) {
+    for (const bool drains : {false, true})
+        for (const double radius : {5.0, 40.0}) {
+            Brush brush;
+            brush.tool = Tool::kWater;
+            brush.radius = radius;
+            Stroke stroke(Tool::kWater, {.control = drains}, {50, 50});
+            const auto commands = draw(stroke, brush, {{50, 50}}, 60);
+            EXPECT_NEAR(volume(commands), brush.own()[0], 1e-9);  // a second of it
+            for (const sim::Command& c : commands) {
+                EXPECT_EQ(c.kind, drains ? sim::CommandKind::kDrain : sim::CommandKind::kWet);
+                EXPECT_EQ(c.radius, radius);
+                EXPECT_EQ(c.duration, kTick);
+            }
+        }
+}
+
+// n d = 1 m of water in soil 2.5 m deep.
+TEST(Tools, fill_soil_of_two_and_a_half_metres_in_five_to_twenty_seconds) {
+    const ToolNumber& rate = info_of(Tool::kWater).numbers[0];
+    EXPECT_GE(sim::kPorosity * 2.5 / rate.usual, 5);
+    EXPECT_LE(sim::kPorosity * 2.5 / rate.usual, 20);
+}
+
+TEST(Tools, have_water_where_soil_has_friction_and_a_challenge_allows_it) {
+    Scenario scenario;
+    sim::State state;
+    const auto water = [&] { return is_offered(info_of(Tool::kWater), scenario, state); };
+    EXPECT_FALSE(water()) << "of an unknown density";
+    state.params.density = 300;
+    EXPECT_FALSE(water()) << "snow";
+    state.params.density = 1800;
+    EXPECT_TRUE(water());
+    state.params.model = sim::Model::kVoellmy;
+    EXPECT_TRUE(water());
+    state.params.model = sim::Model::kBcre;
+    EXPECT_FALSE(water()) << "without friction";
+    state.params.model = sim::Model::kBcreInertial;
+    scenario.goal.emplace();
+    EXPECT_FALSE(water()) << "no tool of the challenge";
+    Goal::Tool tool;
+    tool.kind = sim::CommandKind::kWet;
+    scenario.goal->tools = {tool};
+    EXPECT_TRUE(water());
+    EXPECT_FALSE(is_offered(info_of(Tool::kPour), scenario, state));
 }
 
 TEST(Stroke, levels_at_the_height_where_it_began) {

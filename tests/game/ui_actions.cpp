@@ -253,6 +253,27 @@ TEST_F(UiHand, tells_word_and_key_of_each_tool_and_names_the_one_in_the_hand_at_
     EXPECT_FALSE(ui_->find("Name of the tool")) << "the buttons have words";
 }
 
+TEST_F(UiHand, offers_water_in_worlds_of_soil_without_a_taller_toolbar) {
+    for (const ScreenSize size : {ScreenSize{1280, 720, 1}, {1280, 720, 2}, {1920, 1080, 1}}) {
+        state_.params.density = 300;
+        begin_anew(size);
+        EXPECT_FALSE(ui_->find("Water")) << "in snow";
+        const double tall = place("Tools").height;
+        state_.params.density = 1800;
+        settle();
+        EXPECT_EQ(only<Tool>(click("Water")), Tool::kWater);
+        EXPECT_EQ(place("Tools").height, tall) << size.width;
+    }
+}
+
+TEST_F(UiHand, sets_the_strength_of_water_in_millimetres) {
+    state_.params.density = 1800;
+    brush_.tool = Tool::kWater;
+    begin_anew({1920, 1080, 1});
+    const Actions all = type_into("Strength", "25");
+    EXPECT_NEAR(only<SetBrush>(all).brush.own()[0], 0.025, 1e-6);
+}
+
 TEST_F(UiHand, moves_no_button_for_another_material_or_tool_or_for_keys_that_are_held) {
     for (const ScreenSize size : {ScreenSize{640, 480, 1}, {1280, 720, 1}, {1920, 1080, 1}}) {
         begin_anew(size);

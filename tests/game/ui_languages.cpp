@@ -23,6 +23,7 @@ class UiLanguages : public UiHand {
             for (const std::string& words : ui_->cut())
                 ADD_FAILURE() << where << at << ": no room for \"" << words << '"';
         };
+        state_.params.density = 1800;  // with every tool
         for (const ToolInfo& info : tool_infos()) {
             brush_.tool = info.tool;
             look(std::string("tool ") + info.plain->label);
@@ -56,6 +57,7 @@ class UiLanguages : public UiHand {
             under_cursor_->rolling = 1;
             under_cursor_->pressure = 12;
             under_cursor_->aspect_deg = 90;
+            under_cursor_->water = 0.42;
             under_cursor_->thing.emplace();
             look("readings");
             under_cursor_.reset();

@@ -531,6 +531,25 @@ TEST_F(UiPanels, tell_what_a_budget_of_digging_counts) {
     EXPECT_TRUE(ui_->find("What digging uses up"));
 }
 
+TEST_F(UiPanels, tell_what_is_left_of_a_budget_of_water) {
+    state_.params.density = 1800;
+    Goal goal;
+    goal.say = "Let the slope go with at most 5,000 m3 of rain.";
+    Goal::Tool wet;
+    wet.kind = sim::CommandKind::kWet;
+    wet.total = 5000;
+    goal.tools = {wet};
+    scenario_.goal = goal;
+    goal_use_.emplace(*scenario_.goal);
+    sim::Command rain = sim::usual_command(sim::CommandKind::kWet);
+    rain.radius = 40, rain.rate = 0.1, rain.duration = 2;
+    EXPECT_FALSE(goal_use_->take({0, rain}, scenario_.params.tick_s));
+    settle();
+    EXPECT_TRUE(ui_->find("Water: 3 995 m³ of 5 000 m³ left"));
+    EXPECT_TRUE(ui_->find("Water"));
+    EXPECT_FALSE(ui_->find("Pour"));
+}
+
 TEST_F(UiPanels, offer_a_cover_for_ground_on_which_nothing_lies) {
     EXPECT_FALSE(ui_->find("Cover it with 1 m"));
     const support::Ground ground = support::plane(20, 5, 0.6, 0);

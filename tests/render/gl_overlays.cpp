@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tests/render/gl_scene.h"
+#include "tests/support/allocations.h"
 
 namespace render::test {
 namespace {
@@ -69,7 +70,7 @@ TEST_F(Overlays, of_slope_has_the_colour_of_the_class_from_edge_to_edge) {
 // Any two, for people who lack one kind of cone too.
 TEST(Legends, have_stops_that_everybody_can_tell_apart) {
     for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kSpeed, Overlay::kStretch,
-                                  Overlay::kPressure, Overlay::kProbability}) {
+                                  Overlay::kPressure, Overlay::kProbability, Overlay::kWater}) {
         const auto stops = legend_of(overlay).stops;
         for (const LegendStop& one : stops)
             for (const LegendStop& other : stops) {
@@ -175,6 +176,51 @@ TEST_F(Overlays, of_probability_have_the_colour_of_the_class_and_follow_the_fiel
     EXPECT_LT(colour_distance(seen(0), plain), 1) << "there is none";
 }
 
+TEST_F(Overlays, of_water_have_the_colours_of_the_share_and_follow_it_in_a_world_with_or_without_things) {
+    World world = level();
+    const Colour plain = middle(world, Overlay::kNone);
+    EXPECT_LT(colour_distance(middle(world, Overlay::kWater), plain), 1) << "without things";
+    world.things.emplace(world.grid);
+    world.things->natural = world.bedrock;
+    EXPECT_LT(colour_distance(middle(world, Overlay::kWater), plain), 1) << "dry";
+    const auto stops = legend_of(Overlay::kWater).stops;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        world.things->water.fill(stops[i].value / 100);
+        EXPECT_LT(colour_distance(middle(world, Overlay::kWater), of_legend(stops[i])), 2) << stops[i].value;
+    }
+    world.things->water.fill(0);
+    for (int y = 0; y <= 40; ++y)
+        for (int x = 19; x <= 21; ++x) world.things->water(x, y) = 0.5f;
+    EXPECT_LT(colour_distance(middle(world, Overlay::kWater), of_legend(stops[2])), 2) << "a part of it";
+    EXPECT_LT(colour_distance(middle(world, Overlay::kNone), plain), 1);
+    world.things.reset();
+    EXPECT_LT(colour_distance(middle(world, Overlay::kWater), plain), 1) << "without them again";
+}
+
+// Rain on a part of the ground, once all of it has been seen.
+TEST_F(Overlays, of_water_allocate_nothing_while_it_rains) {
+    World world = level();
+    world.things.emplace(world.grid);
+    world.things->natural = world.bedrock;
+    Marks marks;
+    marks.overlay = Overlay::kWater;
+    const auto frame = [&](float share) {
+        world.things->water(20, 20) = world.things->water(21, 23) = share;
+        const std::int64_t before = support::allocations();
+        renderer_->draw({.world = world.view(),
+                         .camera = from_above({80, 80, 0}, 8),
+                         .look = plain_look(),
+                         .marks = marks,
+                         .width = 96,
+                         .height = 96});
+        return support::allocations() - before;
+    };
+    for (int i = 0; i < 8; ++i) frame(0.01f * static_cast<float>(i));
+    std::int64_t allocated = 0;
+    for (int i = 10; i < 20; ++i) allocated += frame(0.01f * static_cast<float>(i));
+    EXPECT_EQ(allocated, 0);
+}
+
 TEST_F(Overlays, of_depth_and_speed_do_not_colour_bare_or_resting_ground) {
     const World bare = level();
     for (const Overlay overlay : {Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed})
@@ -208,7 +254,7 @@ TEST_F(Overlays, show_the_shape_of_the_ground_by_its_shade) {
 
 TEST_F(Overlays, have_stops_distinguishable_in_all_colour_vision) {
     for (const Overlay overlay : {Overlay::kSlope, Overlay::kStanding, Overlay::kRolling, Overlay::kSpeed,
-                                  Overlay::kPressure, Overlay::kProbability}) {
+                                  Overlay::kPressure, Overlay::kProbability, Overlay::kWater}) {
         const auto stops = legend_of(overlay).stops;
         for (std::size_t i = 1; i < stops.size(); ++i) {
             const Colour a = of_legend(stops[i - 1]), b = of_legend(stops[i]);

@@ -41,7 +41,8 @@ TEST_P(Legends, rise_from_stop_to_stop_in_colours_that_a_screen_has) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Legends,
                          testing::Values(Overlay::kSlope, Overlay::kStanding, Overlay::kRolling,
-                                         Overlay::kSpeed, Overlay::kPressure, Overlay::kProbability));
+                                         Overlay::kSpeed, Overlay::kPressure, Overlay::kProbability,
+                                         Overlay::kWater));
 
 TEST(Legends, of_no_overlay_has_no_stops) {
     EXPECT_TRUE(legend_of(Overlay::kNone).stops.empty());
