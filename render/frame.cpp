@@ -161,8 +161,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-tl::expected<void, std::string> Renderer::load(FlowPattern pattern) {
-    return parts_->flow.load(parts_->assets, pattern);
+tl::expected<void, std::string> Renderer::load(const Look& look) {
+    if (look.date)
+        if (auto ready = parts_->terrain.load_dated(parts_->assets / "shaders"); !ready) return ready;
+    if (!look.flow) return {};
+    return parts_->flow.load(parts_->assets, look.flow->pattern);
 }
 
 void Renderer::set_quality(Quality quality) {
@@ -440,7 +443,7 @@ void Renderer::Parts::shade_ground(const Frame& frame, const Target& on, const M
 
     // Each pixel is shaded once, whatever the number of triangles under it.
     on.begin_shading();
-    terrain.shade(marks, tiles, input.world.mixture != nullptr, on, parts);
+    terrain.shade(marks, tiles, {input.look.date.has_value(), input.world.mixture != nullptr}, on, parts);
     clock.mark(Pass::kTerrain);
 }
 

@@ -33,9 +33,9 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Loads a pattern. Call it once before a look with this pattern is drawn. Fails if an image is missing or
-    // damaged.
-    tl::expected<void, std::string> load(FlowPattern pattern);
+    // Loads what a look needs: the texture of its flow, and the shaders of plants if it has a date. Call it before such a
+    // look is drawn. Fails if an image is missing or damaged; errors of shaders are as in create().
+    tl::expected<void, std::string> load(const Look& look);
 
     // Sets the quality of the following frames.
     void set_quality(Quality quality);

@@ -53,7 +53,7 @@ Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p) {
     strata *= clamp(1.2 - p.footprint * vec2(2.0, 6.0), 0.0, 1.0);
     Skin face = Skin(lies * mix(vec3(1.0), vec3(0.90, 0.93, 0.97), smoothstep(0.1, 0.9, depth_m)) * (0.96 + 0.12 * strata.x + 0.08 * strata.y),
                      0.25 * d.rock.xy + 0.1 * d.clumps.xy, 0.85, 0.0);
-    if (frame.season.w > 0.0 && lies.g < 0.5) {  // soil: roots under the turf, then ever paler and stonier
+    if (kDated && lies.g < 0.5) {  // soil: roots under the turf, then ever paler and stonier
         float roots = smoothstep(0.30, 0.05, depth_m), subsoil = smoothstep(0.5, 1.3, depth_m + 0.5 * (d.soft.z - 0.5));
         face.albedo = mix(lies * 0.75, mix(lies, vec3(0.26, 0.19, 0.115), 0.7), subsoil) * (0.70 + 0.35 * d.clumps.z + 0.3 * strata.y);
         face.albedo = mix(face.albedo, vec3(0.030, 0.022, 0.014), 0.8 * roots);

@@ -170,7 +170,7 @@ Skin ground(Place p, Detail d, vec4 fine, Skin plants) {
     float band = 0.9 * d.strata.x, crack = 1.0 - smoothstep(0.10, 0.24, d.rock.z);
     vec3 stone = frame.rock.rgb * (0.42 + 0.70 * d.rock.z + 0.45 * fine.z + band) * (1.0 - 0.45 * crack) * mix(vec3(1.22, 1.0, 0.78), vec3(0.84, 1.0, 1.16), clamp(d.tone + 0.8 * d.strata.x, 0.0, 1.0));
     stone *= (0.72 + 0.56 * d.broad.z) * (1.0 - 0.50 * d.strata.z) * (1.0 - 0.45 * d.strata.w);
-    if (frame.season.w == 0.0)
+    if (!kDated)
         plants = Skin(grass, 0.20 * d.soft.xy + 0.06 * d.clumps.xy + 0.30 * fine.xy, 0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.0);
     return Skin(mix(plants.albedo, stone, bare),
                 mix(plants.rise, 0.9 * d.rock.xy + 0.5 * fine.xy + 0.5 * d.soft.xy + (0.8 * band - 0.5 * d.strata.y) * p.slope, bare),
@@ -189,7 +189,7 @@ Skin cover(vec3 albedo, Detail d, vec4 fine) {
 
 // Grass on a standing layer that nothing has touched, or `plants`. `turf`: its colour times its share, and the share.
 Skin grown(vec4 turf, Detail d, vec4 fine, Skin plants) {
-    if (frame.season.w > 0.0) return plants;
+    if (kDated) return plants;
     vec3 grass = turf.rgb / max(turf.w, 1e-3) * mix(vec3(0.65, 0.75, 0.70), vec3(1.50, 1.25, 1.10), d.tone);
     return Skin(grass * (0.40 + 0.35 * d.soft.z + 0.24 * d.clumps.z + 0.50 * fine.z), 0.2 * d.soft.xy + 0.08 * d.clumps.xy + 0.30 * fine.xy,
                 0.75 + 0.25 * d.soft.z + 0.25 * d.clumps.z, 0.0);
@@ -215,7 +215,7 @@ float sparkle(Place p) {
 
 // Sky and lamp in water. `wet`: share of the ground that mirrors.
 vec3 mirrored(Place p, vec3 normal, float in_sun, float wet) {
-    if (wet <= 0.0) return vec3(0.0);
+    if (!kDated || wet <= 0.0) return vec3(0.0);
     vec3 along = normalize(p.ray), back = reflect(along, normal);
     float past = 1.0 - clamp(-dot(along, normal), 0.0, 1.0), past2 = past * past;
     float mirrors = 0.02 + 0.98 * wet * wet * past2 * past2 * past;  // Schlick (1994); mud is rough

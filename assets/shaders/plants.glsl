@@ -43,7 +43,7 @@ vec3 with_flowers(vec3 grass, Place p, Detail d, float many) {
 
 // Grass, heath, reeds, flowers and fields, rubble, and brooks.
 Skin plants_at(Place p, Detail d, vec4 fine) {
-    if (frame.season.w == 0.0) return Skin(vec3(0.0), vec2(0.0), 1.0, 0.0);
+    if (!kDated) return Skin(vec3(0.0), vec2(0.0), 1.0, 0.0);
     vec4 here = land_at(p.source);
     float green = frame.season.x, steep = length(p.slope), rugged = frame.haze.w;
     float altitude = clamp((p.at.z - frame.ground.z) / (frame.ground.w - frame.ground.z), 0.0, 1.0);

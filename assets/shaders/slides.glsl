@@ -84,7 +84,7 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
         else if (frame.overlay.x != OVERLAY_STRETCH) {
             carried = worn(carried, slide.rolls, d);
             Skin rests = at_rest(carried, slide.rolls, slide.lies, d);
-            if (frame.season.w > 0.0) {
+            if (kDated) {
                 carried = with_mud(carried, d, turf, 1.0);
                 rests = with_mud(rests, d, turf, 0.6);
             }

@@ -34,7 +34,8 @@ void main() {
 
     vec3 normal = normalize(vec3(-slope - skin.rise, 1.0));
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-slope, 1.0), frame.sun.xyz));
-    float in_sun = cover_lower_open_sun.w * facing_sun * through_clouds(at.xy);
+    float in_sun = cover_lower_open_sun.w * facing_sun;
+    if (kDated) in_sun *= through_clouds(at.xy);
     vec3 light = lit(vec3(1.0), normal, in_sun, p.open * clamp(skin.open, 0.0, 1.2));
     vec3 seen = through_air(skin.albedo * light + mirrored(p, normal, in_sun, skin.wet), at);
     vec2 middle = 0.5 * frame.ground.x * vec2(frame.size.xy - 1);

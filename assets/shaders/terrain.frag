@@ -87,7 +87,8 @@ void main() {
     vec3 normal = normalize(vec3(-p.slope - skin.rise, 1.0));
     // Small relief must not catch sun on a self-shadowed slope.
     float facing_sun = smoothstep(-0.05, 0.12, dot(vec3(-p.slope, 1.0), frame.sun.xyz));
-    float in_sun = sunlit(p.at) * facing_sun * through_clouds(p.at.xy);
+    float in_sun = sunlit(p.at) * facing_sun;
+    if (kDated) in_sun *= through_clouds(p.at.xy);
     vec3 light = lit(vec3(1.0), normal, in_sun, p.open * clamp(skin.open, 0.0, 1.2));
     // Only snow is as bright as that.
     light += frame.lamp.rgb * (1.5 * sparkle(p) * in_sun * clamp(4.0 * dot(normal, frame.sun.xyz), 0.0, 1.0) * frame.haze.w * smoothstep(0.55, 0.75, skin.albedo.g));

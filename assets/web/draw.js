@@ -44,6 +44,7 @@ class Picture {
         const lit = [...light, 'sun_ceiling.glsl'];
         const add = (vertex, fragment, out) => this.shaders.add(vertex, fragment, out);
         const stars = this.frame.floats('above')[3] > 0 ? 'stars.glsl' : 'stars_none.glsl';
+        const dated = this.dated = this.frame.floats('season')[3] > 0 ? 'dated.glsl' : 'undated.glsl';
         this.programs = {
             openness: add(fullscreen, [...frame, 'openness.glsl', 'openness.frag']),
             surface: add(fullscreen, [...frame, 'cover.glsl', 'surface.glsl', 'surface.frag']),
@@ -69,7 +70,7 @@ class Picture {
                                      [...frame, 'flow.frag', 'grain.glsl', 'paint_blended.glsl']);
         if (info.surroundings)
             this.programs.around = add([...frame, 'cover.glsl', 'surroundings.vert'],
-                                       [...frame, 'cover.glsl', 'light.glsl', 'ground.glsl', 'plants.glsl', 'surroundings.frag',
+                                       [...frame, dated, 'cover.glsl', 'light.glsl', 'ground.glsl', 'plants.glsl', 'surroundings.frag',
                                         info.two ? 'surroundings_two.glsl' : 'surroundings_one.glsl']);
         else
             this.programs.walls = add([...frame, 'terrain.vert'], [...lit, 'gather.glsl', 'walls.frag']);
@@ -104,7 +105,7 @@ class Picture {
     shading(...marks) {
         const earth = this.slide.earth ? 'earth.glsl' : 'earth_none.glsl', key = [earth, ...marks].join();
         if (!this.shadings.has(key)) {
-            const files = ['slots.glsl', 'frame.glsl', 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
+            const files = ['slots.glsl', 'frame.glsl', this.dated, 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
                            'plants.glsl', 'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag',
                            this.slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl'];
             const kinds = [['earth_none.glsl', 'slides_none.glsl', 'crown_none.glsl'],

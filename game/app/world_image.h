@@ -56,8 +56,8 @@ class WorldImage {
 
     // Another world, which leaves its images `frame_memory` bytes.
     void begin_world(std::uint64_t frame_memory);
-    // Errors: the images of the pattern are missing or damaged.
-    Outcome<void> load(render::FlowPattern pattern);
+    // What a look needs, before it is drawn. Errors: its images or shaders are missing or damaged.
+    Outcome<void> load(const render::Look& look);
 
     // Measures in the next frames which tier suits the machine.
     void begin_trial(double target_ms) { trial_.emplace(target_ms); }

@@ -51,9 +51,7 @@ Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 Outcome<void> Canvas::show(const Scenario& scenario) {
-    if (scenario.look.flow)
-        if (auto loaded = parts_->renderer.load(scenario.look.flow->pattern); !loaded)
-            return machine_fails(loaded.error());
+    if (auto loaded = parts_->renderer.load(scenario.look); !loaded) return machine_fails(loaded.error());
     parts_->camera = scenario.camera;
     parts_->light = scenario.light;
     parts_->look = scenario.look;

@@ -119,7 +119,9 @@ Studio& Studio::operator=(Studio&&) noexcept = default;
 
 Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem::path& folder, int pixels,
                                  sim::Workers& workers) {
-    if (auto loaded = parts_->renderer.load(figure.pattern); !loaded) return machine_fails(loaded.error());
+    render::Look look;
+    look.flow = render::FlowLook{figure.pattern};
+    if (auto loaded = parts_->renderer.load(look); !loaded) return machine_fails(loaded.error());
     LevelFlow without(figure.squares, false), with(figure.squares, true);
     for (LevelFlow* flow : {&without, &with}) flow->advance(figure.flow, figure.seconds, workers);
     render::Marks stretch, mesh;

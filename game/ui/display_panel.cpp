@@ -46,8 +46,9 @@ bool probability(Desk& desk, const RunsNote& runs, Display& display) {
 
 // In which month plants are drawn, where the scene says on which day.
 bool month(Desk& desk, const Facts& facts, Display& display) {
-    constexpr std::array kMonths{"January", "February", "March",     "April",   "May",      "June",
-                                 "July",    "August",   "September", "October", "November", "December"};
+    static constexpr std::array kMonths{"January",   "February", "March",    "April",
+                                        "May",       "June",     "July",     "August",
+                                        "September", "October",  "November", "December"};
     if (!facts.scenario.look.date || !display.date) return false;
     constexpr int kMiddle = 15;  // day
     int chosen = display.date->month - 1;

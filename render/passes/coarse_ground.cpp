@@ -14,9 +14,9 @@ tl::expected<CoarseGround, std::string> CoarseGround::create(const std::filesyst
     auto reduce = FullscreenPass::create(shaders, {"slots.glsl", "scene_depth.glsl", "coarse_depth.frag"});
     if (!reduce) return tl::unexpected(reduce.error());
     const auto spread = [&](std::vector<std::string_view> marks) {
-        std::vector<std::string_view> files{"slots.glsl",       "frame.glsl",         "light.glsl",
-                                            "ground.glsl",      "tone_curve.glsl",    "spline.glsl",
-                                            "scene_depth.glsl", "surface_place.glsl", "coarse_spread.frag"};
+        std::vector<std::string_view> files{
+            "slots.glsl",      "frame.glsl",  "undated.glsl",     "light.glsl",         "ground.glsl",
+            "tone_curve.glsl", "spline.glsl", "scene_depth.glsl", "surface_place.glsl", "coarse_spread.frag"};
         files.insert(files.end(), marks.begin(), marks.end());
         return RectanglePass::create(shaders, files);
     };

@@ -35,19 +35,18 @@ Texture make_cover_texture(const Surroundings& around) {
 }  // namespace
 
 tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
-    const auto link = [&](std::string_view materials) {
-        return link_program(
-            shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
-                      {GL_FRAGMENT_SHADER,
-                       {"slots.glsl", "frame.glsl", "cover.glsl", "light.glsl", "ground.glsl", "plants.glsl",
-                        "surroundings.frag", materials}}});
-    };
-    auto one = link("surroundings_one.glsl"), two = link("surroundings_two.glsl");
-    if (!one) return tl::unexpected(one.error());
-    if (!two) return tl::unexpected(two.error());
     SurroundingsPass pass;
-    pass.one_material_ = std::move(*one);
-    pass.two_materials_ = std::move(*two);
+    for (const bool dated : {false, true})
+        for (const bool two : {false, true}) {
+            auto program = link_program(
+                shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
+                          {GL_FRAGMENT_SHADER,
+                           {"slots.glsl", "frame.glsl", dated ? "dated.glsl" : "undated.glsl", "cover.glsl",
+                            "light.glsl", "ground.glsl", "plants.glsl", "surroundings.frag",
+                            two ? "surroundings_two.glsl" : "surroundings_one.glsl"}}});
+            if (!program) return tl::unexpected(program.error());
+            pass.programs_[dated][two] = std::move(*program);
+        }
     return pass;
 }
 
@@ -175,7 +174,7 @@ void SurroundingsPass::find_parts(const WhatChanged& changed, const OnScreen& sc
 
 void SurroundingsPass::draw(const FrameBlock& frame, std::span<const Rectangle> parts) {
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), scissors(GL_SCISSOR_TEST);
-    glUseProgram((frame.lower_standing.w > 0 ? two_materials_ : one_material_).name());
+    glUseProgram(programs_[frame.season.w > 0][frame.lower_standing.w > 0].name());
     glBindVertexArray(vertex_array_.name());
     for (const Rectangle& part : parts) {
         counts_.clear();

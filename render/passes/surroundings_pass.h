@@ -46,8 +46,8 @@ class SurroundingsPass {
     void find_parts(const WhatChanged& changed, const OnScreen& screen);
 
     // Variants, because shader code costs time even if its branch is not taken.
-    ProgramName one_material_, two_materials_;
-    std::uint64_t known_ = 0;  // fingerprint
+    std::array<std::array<ProgramName, 2>, 2> programs_;  // with a date; of two materials
+    std::uint64_t known_ = 0;                             // fingerprint
     glm::vec4 known_sun_{0};
     SurroundingsMesh mesh_;
     std::vector<float> sunlit_;

@@ -10,6 +10,7 @@
 #include "render/gl/program.h"
 #include "render/gl/scissor.h"
 #include "render/mountain/detail.h"
+#include "sim/core/check.h"
 
 namespace render {
 namespace {
@@ -29,30 +30,22 @@ Texture detail_texture_of(const std::vector<std::uint8_t>& texels) {
     return texture;
 }
 
-// Creates the surface's shading with the files that define materials, slides and marks.
+// Creates the surface's shading with the files that define materials, slides and marks, and whether looks have a date.
 tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
+                                                      std::string_view dated,
                                                       const std::vector<std::string_view>& variant) {
-    std::vector<std::string_view> files{"slots.glsl",         "frame.glsl",  "light.glsl",
-                                        "sun_ceiling.glsl",   "ground.glsl", "plants.glsl",
-                                        "tone_curve.glsl",    "spline.glsl", "scene_depth.glsl",
-                                        "surface_place.glsl", "terrain.frag"};
+    std::vector<std::string_view> files{"slots.glsl",       "frame.glsl",         dated,
+                                        "light.glsl",       "sun_ceiling.glsl",   "ground.glsl",
+                                        "plants.glsl",      "tone_curve.glsl",    "spline.glsl",
+                                        "scene_depth.glsl", "surface_place.glsl", "terrain.frag"};
     files.insert(files.end(), variant.begin(), variant.end());
     return RectanglePass::create(shaders, files);
 }
 
 }  // namespace
 
-tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem::path& shaders) {
-    auto detail = std::async(std::launch::async, make_detail);  // beside the shaders, which take as long
-    const ShaderStage vertex{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "terrain.vert"}};
-    auto depth = link_program(shaders, {vertex, {GL_FRAGMENT_SHADER, {"depth.frag"}}});
-    if (!depth) return tl::unexpected(depth.error());
-    auto walls = link_program(
-        shaders,
-        {vertex,
-         {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "walls.frag"}}});
-    if (!walls) return tl::unexpected(walls.error());
-    TerrainPass pass;
+tl::expected<TerrainPass::Programs, std::string> TerrainPass::make_programs(
+    const std::filesystem::path& shaders, std::string_view dated) {
     struct Marking {
         Shading Shadings::*to;
         std::vector<std::string_view> files;
@@ -69,21 +62,47 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
         {&Shading::with_walls, {"earth_none.glsl", "slides.glsl", "crown.glsl"}},
         {&Shading::with_slides, {"earth_none.glsl", "slides.glsl", "crown_none.glsl"}},
         {&Shading::without, {"earth_none.glsl", "slides_none.glsl", "crown_none.glsl"}}};
+    Programs programs;
     for (const bool two : {false, true})
         for (const Marking& marking : markings)
             for (const Variant& variant : variants) {
                 std::vector<std::string_view> files{two ? "materials_two.glsl" : "materials_one.glsl"};
                 files.insert(files.end(), variant.files.begin(), variant.files.end());
                 files.insert(files.end(), marking.files.begin(), marking.files.end());
-                auto shading = make_shading(shaders, files);
+                auto shading = make_shading(shaders, dated, files);
                 if (!shading) return tl::unexpected(shading.error());
-                Shadings& to = two ? pass.two_materials_ : pass.one_material_;
+                Shadings& to = two ? programs.two_materials : programs.one_material;
                 (to.*marking.to).*variant.to = std::move(*shading);
             }
+    return programs;
+}
+
+tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem::path& shaders) {
+    auto detail = std::async(std::launch::async, make_detail);  // beside the shaders, which take as long
+    const ShaderStage vertex{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "terrain.vert"}};
+    auto depth = link_program(shaders, {vertex, {GL_FRAGMENT_SHADER, {"depth.frag"}}});
+    if (!depth) return tl::unexpected(depth.error());
+    auto walls = link_program(
+        shaders,
+        {vertex,
+         {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "walls.frag"}}});
+    if (!walls) return tl::unexpected(walls.error());
+    auto undated = make_programs(shaders, "undated.glsl");
+    if (!undated) return tl::unexpected(undated.error());
+    TerrainPass pass;
+    pass.undated_ = std::move(*undated);
     pass.depth_program_ = std::move(*depth);
     pass.wall_program_ = std::move(*walls);
     pass.detail_texture_ = detail_texture_of(detail.get());
     return pass;
+}
+
+tl::expected<void, std::string> TerrainPass::load_dated(const std::filesystem::path& shaders) {
+    if (dated_) return {};
+    auto dated = make_programs(shaders, "dated.glsl");
+    if (!dated) return tl::unexpected(dated.error());
+    dated_ = std::move(*dated);
+    return {};
 }
 
 void TerrainPass::Indexed::send(const std::vector<std::uint32_t>& values) {
@@ -171,10 +190,12 @@ void TerrainPass::find_runs(const Rectangle& part) {
     }
 }
 
-void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, bool two_materials, const Target& target,
+void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, Kind kind, const Target& target,
                         Target::Parts parts) {
+    CHECK(!kind.dated || dated_);
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
-    const Shadings& shadings = two_materials ? two_materials_ : one_material_;
+    const Programs& programs = kind.dated ? *dated_ : undated_;
+    const Shadings& shadings = kind.two_materials ? programs.two_materials : programs.one_material;
     const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
                              : marks.has_lines()             ? shadings.marked
                                                              : shadings.plain;

@@ -134,7 +134,9 @@ class FlowPass : public Pass {
     void SetUp() override {
         Pass::SetUp();
         for (const auto pattern : {render::FlowPattern::kSnow, render::FlowPattern::kCheckerboard}) {
-            const auto loaded = renderer_->load(pattern);
+            render::Look look;
+            look.flow = render::FlowLook{pattern};
+            const auto loaded = renderer_->load(look);
             ASSERT_TRUE(loaded) << loaded.error();
         }
         std::vector<glm::vec2> velocity;

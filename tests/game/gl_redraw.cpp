@@ -154,9 +154,7 @@ class Redraw : public OffScreen {
     int differing(const Player& player) {
         const render::FrameInput input = player.input();
         for (render::Renderer* renderer : {&*parts_, &*whole_}) {
-            if (input.look.flow) {
-                EXPECT_TRUE(renderer->load(input.look.flow->pattern));
-            }
+            EXPECT_TRUE(renderer->load(input.look));
             renderer->set_quality(player.fine() ? render::Quality::kFine : render::Quality::kFast);
         }
         parts_->draw(input);

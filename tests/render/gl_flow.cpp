@@ -30,7 +30,9 @@ class Flow : public Gl {
     void SetUp() override {
         Gl::SetUp();
         for (const FlowPattern pattern : {FlowPattern::kCheckerboard, FlowPattern::kSnow}) {
-            const auto loaded = renderer_->load(pattern);
+            Look look;
+            look.flow = FlowLook{pattern};
+            const auto loaded = renderer_->load(look);
             ASSERT_TRUE(loaded) << loaded.error();
         }
     }

@@ -19,6 +19,7 @@ class Plants : public Gl {
         FrameInput input{world.view(), from_above({300, 300, 0}, 400), {180, 50}, look};
         input.width = input.height = 128;
         if (surrounded) input.surroundings = &around;
+        EXPECT_TRUE(renderer_->load(look));
         renderer_->draw(input);
         return mean_colour(renderer_->read_back(), 64, 64, 60);
     }

@@ -121,6 +121,7 @@ void Gl::SetUp() {
 
 Picture Gl::draw(const World& world, const Camera& camera, const Light& light, const Look& look, int width,
                  int height, const Marks& marks) {
+    EXPECT_TRUE(renderer_->load(look));
     renderer_->draw({world.view(), camera, light, look, marks, nullptr, width, height});
     return renderer_->read_back();
 }

@@ -1,0 +1,2 @@
+// For looks without a date.
+const bool kDated = false;
