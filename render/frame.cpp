@@ -1,6 +1,7 @@
 #include "render/frame.h"
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -56,7 +57,8 @@ bool may_drift(const FrameInput& input) {
 // A frame on its way through the passes.
 struct Frame {
     const FrameInput& input;
-    FieldsToGpu::Ground ground;  // what changed of it
+    FieldsToGpu::Ground ground;         // what changed of it
+    std::span<const glm::ivec2> water;  // vertices where what is shown of it changed
     FrameBlock block = {};
     FrameBlock coarse_block = {};  // of its ground, if that is coarse
     FrameKey key = {};
@@ -221,10 +223,13 @@ void Renderer::draw_ground(const FrameInput& input) {
 // Finds out first whether more than the world changed: then all is drawn anew.
 Frame Renderer::Parts::begin(const FrameInput& input) {
     const int samples = samples_of(quality);
-    Frame frame{.input = input, .ground = fields.upload_ground(input.world, input.first_depth)};
+    Frame frame{.input = input,
+                .ground = fields.upload_ground(input.world, input.first_depth),
+                .water = water.send(input)};
     frame.block =
         make_frame_block(input, fields.heights(), samples,
                          input.flows() ? std::optional(flow_tint(input.look, input.marks)) : std::nullopt);
+    if (input.shows_wet_soil()) frame.block.overlay.w = water.is_wet();
     frame.key = frame_key_of(input, frame.block);
     frame.key.coarse = is_coarse();
     const bool resized = target.resize(input.width, input.height, samples);
@@ -254,7 +259,7 @@ void Renderer::Parts::upload(const Frame& frame) {
     changed.compare(input.world, fields.find_mixture(input.world), input.first_depth,
                     input.surrounded() ? std::nullopt : std::optional(frame.block.ground.y), rules,
                     frame.new_world, {frame.ground.moved, SurfacePass::openness_reach(input.world.grid)},
-                    water.send(input));
+                    frame.water);
     fields.upload_layers(input.world, changed.first_row(), changed.last_row());
     glNamedBufferSubData(frame_block.name(), 0, sizeof frame.block, &frame.block);
     glBindBufferBase(GL_UNIFORM_BUFFER, SLOT_FRAME, frame_block.name());
@@ -297,7 +302,7 @@ void Renderer::Parts::compute(const Frame& frame) {
 
     // Heights, slopes and shares of the layers.
     if (input.marks.overlay == Overlay::kProbability) probability.bind(input);
-    if (input.marks.overlay == Overlay::kWater) water.bind();
+    if (input.marks.overlay == Overlay::kWater || input.shows_wet_soil()) water.bind();
     surface.run(changed.groups());
     surface.bind();
     clock.mark(Pass::kSurface);

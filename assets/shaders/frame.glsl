@@ -29,7 +29,7 @@ layout(std140, binding = SLOT_FRAME) uniform Frame {
     vec4 contours;          // lines per metre of height, 0: none; line, counted from a heavy one, at z = 0; 1: the outline of an extent is drawn
     vec4 flow;              // texture tiles per m; where it is drawn: FLOW_*; 0, 0
     vec4 flow_tint;         // factor on the texture's colours; 0
-    ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps; number of the probability
+    ivec4 overlay;          // OVERLAY_*, 0: none; stops of its legend; 1: they are steps; number of the probability, without an overlay 1: soil is wet where plants have a date
     vec4 season;            // of grass: green 0 to 1; of trees: leaves 0 to 1, turned 0 to 1; 1: plants are as on a day of the year
     vec4 density;           // of the upper and the lower material, kg/m³, 0: unknown; 0, 0
     vec4 stops[MOST_STOPS]; // colour in sRGB; w: value

@@ -29,7 +29,7 @@ float pressure(ivec2 v, vec2 velocity) {
     return mix(frame.density.x, frame.density.y, lower) * (dot(velocity, velocity) + rise * rise) / 1000.0;
 }
 
-// The overlay's value times its weight, and the weight. Without a rolling layer the weight is 0, so that no
+// The overlay's value times its weight, and the weight; without an overlay the share of saturation, if soil is wet. Without a rolling layer the weight is 0, so that no
 // depth or speed mixes into the front beside it.
 vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) {
     switch (frame.overlay.x) {
@@ -41,6 +41,7 @@ vec2 measured(ivec2 v, vec2 rise, float d, float r, float rolls, vec2 velocity) 
         case OVERLAY_WATER: return vec2(100.0 * texelFetch(water, v, 0).r, 1.0);
         case OVERLAY_PRESSURE: return vec2(pressure(v, velocity), 1.0) * rolls;
     }
+    if (frame.overlay.x == 0 && frame.overlay.w != 0) return vec2(texelFetch(water, v, 0).r, 1.0);
     return vec2(0.0);
 }
 

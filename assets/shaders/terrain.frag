@@ -36,6 +36,9 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
 Skin with_earth(Skin skin, Place p, Detail d, vec4 fine);
 vec3 with_dirt(vec3 lies, Place p, Detail d);
 
+// Water in the soil, in wet.glsl; wet_none.glsl is for places without.
+Skin with_water(Skin skin, Place p, Detail d);
+
 // Draws marks on the ground, in marks.glsl or marks_none.glsl. `light` is the light that white ground
 // reflects.
 vec3 marked(vec3 seen, Place p, vec3 light);
@@ -80,6 +83,7 @@ void main() {
     skin.rise += rim * 0.8 * cover_along / max(cover_slope, 1e-4);
 
     skin = wall(skin, crown, lies, d, p);
+    skin = with_water(skin, p, d);
 
     float rolls = 0.0;
     skin = under_flow(skin, slide, p, d, covered, rolls);

@@ -106,7 +106,7 @@ class Picture {
         const earth = this.slide.earth ? 'earth.glsl' : 'earth_none.glsl', key = [earth, ...marks].join();
         if (!this.shadings.has(key)) {
             const files = ['slots.glsl', 'frame.glsl', this.dated, 'light.glsl', 'sun_ceiling.glsl', 'ground.glsl',
-                           'plants.glsl', 'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag',
+                           'plants.glsl', 'tone_curve.glsl', 'spline.glsl', 'window_depth.glsl', 'surface_place.glsl', 'terrain.frag', 'wet_none.glsl',
                            this.slide.info.two ? 'materials_two.glsl' : 'materials_one.glsl'];
             const kinds = [['earth_none.glsl', 'slides_none.glsl', 'crown_none.glsl'],
                            ['earth_none.glsl', 'slides.glsl', 'crown_none.glsl'], [earth, 'slides.glsl', 'crown.glsl']];

@@ -74,6 +74,7 @@ struct FrameInput {
     bool flows() const { return look.flow && flow; }
     bool surrounded() const { return surroundings && !surroundings->empty(); }
     bool may_have_trees() const { return marks.overlay == Overlay::kNone; }  // they would hide its values
+    bool shows_wet_soil() const { return world.things && look.date && marks.overlay == Overlay::kNone; }
 };
 
 }  // namespace render

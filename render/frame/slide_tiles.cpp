@@ -56,7 +56,7 @@ void SlideTiles::find(const FrameInput& input, const OnScreen& screen) {
     std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(everywhere));
     std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
     const bool slides = !everywhere && find_blocks(input);
-    const bool earth = input.world.things && find_earth(input.world);
+    const bool earth = input.world.things && find_earth(input);
     if (slides || earth) {
         for (int y = 0; y < blocks_along_y_; ++y)
             for (int x = 0; x < blocks_along_x_; ++x)
@@ -86,13 +86,15 @@ bool SlideTiles::find_blocks(const FrameInput& input) {
     return any;
 }
 
-// Returns whether there is any earth.
-bool SlideTiles::find_earth(const sim::View& world) {
+// Returns whether there is any earth or wet soil that is seen.
+bool SlideTiles::find_earth(const FrameInput& input) {
+    const sim::View& world = input.world;
+    const bool with_water = input.shows_wet_soil();
     bool any = false;
     for (int y = 0; y < grid_.ny; ++y) {
-        const float* earth = world.things->earth.row(y);
+        const float *earth = world.things->earth.row(y), *water = world.things->water.row(y);
         for (int x = 0; x < grid_.nx; ++x)
-            if (earth[x] != 0) mark(x, y, kReach, 3), any = true;
+            if (earth[x] != 0 || (with_water && water[x] != 0)) mark(x, y, kReach, 3), any = true;
     }
     return any;
 }

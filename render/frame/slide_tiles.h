@@ -12,7 +12,7 @@
 namespace render {
 
 // Divides a frame into parts where a slide may be seen, moving or at rest, those of them where a slab may have
-// left a wall, parts where earth was sculpted, and parts where nothing of it can be. Ground without slides is much
+// left a wall, parts where earth was sculpted or soil is wet, and parts where nothing of it can be. Ground without slides is much
 // cheaper to shade.
 class SlideTiles {
   public:
@@ -22,8 +22,8 @@ class SlideTiles {
     // Marks the tiles that are of another kind than in the last frame.
     void mark_changes(ScreenTiles& tiles) const;
 
-    // Together they cover the frame, each sample once. `with_slides`: without a wall; `with_earth`: with or without
-    // slides and walls.
+    // Together they cover the frame, each sample once. `with_slides`: without a wall; `with_earth`: with earth or wet
+    // soil, with or without slides and walls.
     std::span<const Rectangle> with_earth() const { return with_earth_; }
     std::span<const Rectangle> with_walls() const { return with_walls_; }
     std::span<const Rectangle> with_slides() const { return with_slides_; }
@@ -31,7 +31,7 @@ class SlideTiles {
 
   private:
     bool find_blocks(const FrameInput& input);
-    bool find_earth(const sim::View& world);
+    bool find_earth(const FrameInput& input);
     void mark(int x, int y, int reach, std::uint8_t kind);
     void project(const sim::View& world, int x, int y, const OnScreen& screen);
     void resize(const sim::Grid& grid, int width, int height);
@@ -41,8 +41,8 @@ class SlideTiles {
     int width_ = 0, height_ = 0;                   // samples
     int columns_ = 0, rows_ = 0;                   // tiles of the frame
     int blocks_along_x_ = 0, blocks_along_y_ = 0;  // of the grid
-    std::vector<std::uint8_t> blocks_, tiles_;     // 0: nothing, 1: a slide, 2: and a wall, 3: earth
-    std::vector<std::uint8_t> before_;             // tiles of the last frame
+    std::vector<std::uint8_t> blocks_, tiles_;  // 0: nothing, 1: a slide, 2: and a wall, 3: earth or wet soil
+    std::vector<std::uint8_t> before_;          // tiles of the last frame
     std::vector<Rectangle> with_earth_, with_walls_, with_slides_, without_;
 };
 

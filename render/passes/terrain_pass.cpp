@@ -58,10 +58,10 @@ tl::expected<TerrainPass::Programs, std::string> TerrainPass::make_programs(
                                 {&Shadings::marked, {"marks.glsl", "overlay_none.glsl"}},
                                 {&Shadings::overlaid, {"marks.glsl", "overlay.glsl"}}};
     const Variant variants[] = {
-        {&Shading::with_earth, {"earth.glsl", "slides.glsl", "crown.glsl"}},
-        {&Shading::with_walls, {"earth_none.glsl", "slides.glsl", "crown.glsl"}},
-        {&Shading::with_slides, {"earth_none.glsl", "slides.glsl", "crown_none.glsl"}},
-        {&Shading::without, {"earth_none.glsl", "slides_none.glsl", "crown_none.glsl"}}};
+        {&Shading::with_earth, {"earth.glsl", "wet.glsl", "slides.glsl", "crown.glsl"}},
+        {&Shading::with_walls, {"earth_none.glsl", "wet_none.glsl", "slides.glsl", "crown.glsl"}},
+        {&Shading::with_slides, {"earth_none.glsl", "wet_none.glsl", "slides.glsl", "crown_none.glsl"}},
+        {&Shading::without, {"earth_none.glsl", "wet_none.glsl", "slides_none.glsl", "crown_none.glsl"}}};
     Programs programs;
     for (const bool two : {false, true})
         for (const Marking& marking : markings)

@@ -42,5 +42,39 @@ TEST_F(Plants, grow_on_a_block_without_mountains) {
     EXPECT_GT(green(colour_on(Date{7, 15}, false)), 1.05);
 }
 
+// Rain on a part of a meadow: darker there and nowhere else, in a frame of what changed as in one that is whole.
+TEST_F(Plants, are_darker_where_the_soil_is_wet_and_where_a_look_has_a_date) {
+    World world = make_world(60, 10, [](double, double y) { return 0.2 * y; });
+    Look look;
+    look.date = Date{7, 15};
+    const auto seen = [&] {
+        FrameInput input{world.view(), from_above({300, 300, 60}, 400), {180, 50}, look};
+        input.width = input.height = 128;
+        renderer_->draw(input);
+        return renderer_->read_back();
+    };
+    const auto brightness = [](const Picture& picture, int x) { return mean_colour(picture, x, 64, 12)[1]; };
+    const Picture without = seen();
+    world.things.emplace(world.grid);
+    world.things->natural = world.bedrock;
+    EXPECT_TRUE(alike(seen(), without)) << "dry";
+    const auto rain = [&](float share) {
+        for (int y = 0; y <= 60; ++y)
+            for (int x = 35; x <= 60; ++x) world.things->water(x, y) = share;
+        return seen();
+    };
+    rain(0.2f);
+    const Picture rained = rain(1);
+    EXPECT_EQ(brightness(rained, 30), brightness(without, 30));
+    EXPECT_LT(brightness(rained, 100), 0.92 * brightness(without, 100));
+    EXPECT_GT(brightness(rained, 100), 0.6 * brightness(without, 100));
+    renderer_->forget();
+    EXPECT_TRUE(alike(seen(), rained));
+    look.date.reset();
+    const Picture undated = seen();
+    rain(0);
+    EXPECT_TRUE(alike(seen(), undated)) << "without a date";
+}
+
 }  // namespace
 }  // namespace render::test

@@ -22,11 +22,13 @@ struct Tiles {
     World world = make_world(64, 5, [](double x, double) { return 0.2 * x; });
     Camera camera = from_above({160, 160, 30}, 400);
     std::vector<float> first_depth = std::vector<float>(world.grid.size());
+    Look look;
     SlideTiles tiles;
 
     void find() {
         const FrameInput input{.world = world.view(),
                                .camera = camera,
+                               .look = look,
                                .width = kWidth,
                                .height = kHeight,
                                .first_depth = first_depth};
@@ -64,6 +66,17 @@ TEST(SlideTiles, hold_earth_whatever_slides_over_it) {
         t.find();
         EXPECT_EQ(coverage(t.tiles.with_earth())[kHeight / 2 * kWidth + kWidth / 2], 1);
         EXPECT_EQ(t.samples_with_slides() > 0, slides);
+    }
+}
+
+TEST(SlideTiles, hold_wet_soil_where_a_look_has_a_date) {
+    for (const bool dated : {false, true}) {
+        Tiles t;
+        t.world.things.emplace(t.world.grid);
+        t.world.things->water(32, 32) = 0.3f;
+        if (dated) t.look.date = Date{7, 15};
+        t.find();
+        EXPECT_EQ(t.tiles.with_earth().empty(), !dated);
     }
 }
 
