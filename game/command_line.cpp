@@ -775,9 +775,10 @@ void add_gallery(CLI::App& app, GalleryOptions& options) {
     add_memory(app, options.memory);
     add_step_options(app, options.step_options);
     app.footer(
-        "Draws eighteen views, and with --terrain nineteen: a valley at four times of day, a slide, its "
+        "Draws twenty views, and with --terrain one more: a valley at four times of day, a slide, its "
         "deposit,\n"
-        "a landslide, two materials, and a valley in summer with a slide. The page has the time of each "
+        "a landslide, two materials, a valley in summer with a slide, and a debris flow. The page has the "
+        "time of each "
         "pass, the camera and the state "
         "hash.\n");
 }

@@ -35,13 +35,14 @@ Skin at_rest(Skin carried, vec3 rolls, vec3 lies, Detail d) {
 }
 
 // Soil that flows or has flowed, where plants are drawn: rafts of turf, torn and trodden, and mud that shines where it is wet.
+// What is nearly water tears turf to shreds.
 Skin with_mud(Skin mud, Detail d, float turf, float fresh) {
     float sheen = frame.rock.w * fresh, pools = smoothstep(0.62, 0.40, d.clumps.z) * smoothstep(0.35, 0.60, d.soft.z + 0.3 * sheen);
     mud.albedo *= 1.0 - 0.42 * sheen * (0.4 + 0.6 * pools);
     mud.rise *= 1.0 - 0.45 * sheen * pools;
-    mud.wet = sheen * (0.15 + 0.75 * pools);
+    mud.wet = sheen * (0.12 + 0.60 * pools);
     vec3 green = mix(frame.turf.rgb, vec3(0.085, 0.135, 0.028), frame.season.x) * (0.45 + 0.5 * d.clumps.z + 0.3 * d.soft.z);
-    float torn = turf * smoothstep(0.30, 0.45, d.rock.z + 0.4 * (d.clumps.z - 0.5));
+    float torn = turf * smoothstep(0.85, 0.60, frame.rock.w) * smoothstep(0.30, 0.45, d.rock.z + 0.4 * (d.clumps.z - 0.5));
     mud.albedo = mix(mud.albedo, green, 0.9 * torn);
     mud.rise += 0.25 * torn * d.clumps.xy;
     mud.wet *= 1.0 - torn;

@@ -9,8 +9,8 @@ constexpr std::int64_t seconds(std::int64_t s) {
 }
 
 // Of the sun: azimuth and height above the horizon, degrees.
-constexpr render::Light kDawn{110, 3}, kForenoon{120, 44}, kNoon{215, 42}, kAfternoon{260, 18},
-    kDusk{262, -3}, kNight{75, -14};
+constexpr render::Light kDawn{110, 3}, kForenoon{120, 44}, kNoon{215, 42}, kTorrent{234, 34},
+    kAfternoon{260, 18}, kDusk{262, -3}, kNight{75, -14};
 
 }  // namespace
 
@@ -26,6 +26,8 @@ std::vector<GalleryView> gallery_views() {
     const render::Camera village{{1010, 290, 905}, 215, 7, 150, 50};
     const render::Camera slope{{985, 440, 950}, 185, 12, 190, 50};
     const render::Camera fan{{1005, 310, 905}, 205, 12, 120, 50};
+    const render::Camera apex{{752, 530, 947}, 184, -6, 125, 50};
+    const render::Camera lobe{{708, 438, 917}, 224, 12, 140, 46};
     return {
         {"valley-dawn", "A winter valley at dawn", "winter-valley", 0, valley, kDawn},
         {"valley-noon", "A winter valley at noon", "winter-valley", 0, valley, kNoon},
@@ -45,6 +47,8 @@ std::vector<GalleryView> gallery_views() {
         {"summer-village", "The village", "hillside", 0, village, kForenoon},
         {"summer-slide", "The slope lets go", "hillside", seconds(24), slope, kForenoon},
         {"summer-deposit", "What it left in the village", "hillside", std::nullopt, fan, kAfternoon},
+        {"torrent-front", "A debris flow leaves its gully", "torrent", seconds(51), apex, kTorrent},
+        {"torrent-deposit", "What it left on its fan", "torrent", std::nullopt, lobe, kTorrent},
         {"hill", "A real hill", "", 0, std::nullopt, kAfternoon},
     };
 }
