@@ -168,7 +168,10 @@ class Chance {
         const int many = whole_to(8);
         if (tool.kind == sim::CommandKind::kSculpt) next.rise = between(1, 8);
         const double heading = between(0, 2 * std::numbers::pi), share = between(0.3, 1);
-        if (tool.total && tool.kind == sim::CommandKind::kDig)
+        const bool takes_volume = tool.kind == sim::CommandKind::kDig ||
+                                  tool.kind == sim::CommandKind::kWet ||
+                                  tool.kind == sim::CommandKind::kDrain;
+        if (tool.total && takes_volume)
             next.duration =
                 share * *tool.total / (many * next.rate * std::numbers::pi * next.radius * next.radius);
         stroke.assign(static_cast<std::size_t>(many), next);
