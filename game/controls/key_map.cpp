@@ -68,7 +68,7 @@ constexpr std::array kKeyBindings{
 };
 
 constexpr std::array<std::string_view, kTools> kToolNames{
-    "pour", "dig", "blast", "sculpt", "smooth", "level", "water", "plant", "house", "net", "road", "lift"};
+    "pour", "dig", "blast", "sculpt", "smooth", "level", "water", "drain", "plant", "house", "net", "road", "lift"};
 
 constexpr std::array kHeldBindings{
     HeldBinding{key('W'), Held::kForward, "forward", "move forward"},

@@ -177,6 +177,9 @@ constexpr std::array<ToolInfo, kTools> kInfos{{
     {Tool::kWater, ToolGroup::kGround, key('H'),
      "Hold the left button to wet the soil, which lets go when it is wet enough; with Ctrl, to drain it.",
      &kWetDeed, &kDrainDeed, &kWetDeed, kWaterRate},
+    {Tool::kDrain, ToolGroup::kGround, key('J'),
+     "Hold the left button to drain the soil, which holds better when it is dry; with Ctrl, to wet it.",
+     &kDrainDeed, &kWetDeed, &kDrainDeed, kWaterRate},
     {Tool::kPlant, ToolGroup::kThings, key('7'),
      "Drag over the terrain to plant a forest; with Ctrl, to fell it.", &kPlantDeed, &kFellDeed, &kPlantDeed,
      kForestNumbers},
@@ -224,7 +227,7 @@ const Deed& deed_of(Tool tool, Modifiers with) {
 
 bool is_offered(const ToolInfo& info, const Scenario& scenario, const sim::State& state) {
     if (scenario.goal && !tool_of(*scenario.goal, info.plain->kind)) return false;
-    return info.tool != Tool::kWater || sim::takes_water(state);
+    return (info.tool != Tool::kWater && info.tool != Tool::kDrain) || sim::takes_water(state);
 }
 
 bool takes(CommandKind kind, double Command::*member) {

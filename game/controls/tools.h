@@ -25,6 +25,7 @@ enum class Tool : std::uint8_t {
     kSmooth,
     kLevel,
     kWater,
+    kDrain,
     kPlant,
     kHouse,
     kNet,

@@ -257,6 +257,10 @@ TEST(Tools, have_water_where_soil_has_friction_and_a_challenge_allows_it) {
     scenario.goal->tools = {tool};
     EXPECT_TRUE(water());
     EXPECT_FALSE(is_offered(info_of(Tool::kPour), scenario, state));
+    EXPECT_FALSE(is_offered(info_of(Tool::kDrain), scenario, state));
+    scenario.goal->tools.front().kind = sim::CommandKind::kDrain;
+    EXPECT_TRUE(is_offered(info_of(Tool::kDrain), scenario, state));
+    EXPECT_FALSE(water());
 }
 
 TEST(Stroke, levels_at_the_height_where_it_began) {
