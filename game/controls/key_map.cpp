@@ -67,8 +67,9 @@ constexpr std::array kKeyBindings{
     KeyBinding{key('Q'), kControl, false, Verb::kQuit, "quit", "quit"},
 };
 
-constexpr std::array<std::string_view, kTools> kToolNames{
-    "pour", "dig", "blast", "sculpt", "smooth", "level", "water", "drain", "plant", "house", "net", "road", "lift"};
+constexpr std::array<std::string_view, kTools> kToolNames{"pour",  "dig",   "blast", "sculpt", "smooth",
+                                                          "level", "water", "drain", "plant",  "house",
+                                                          "net",   "road",  "lift"};
 
 constexpr std::array kHeldBindings{
     HeldBinding{key('W'), Held::kForward, "forward", "move forward"},
