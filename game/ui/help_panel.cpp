@@ -102,7 +102,7 @@ void pressed_keys(Desk& desk, Table& table, const Keys& keys, const char* headin
 void help_panel(Desk& desk, const Keys& keys) {
     const float em = desk.em(), width = ImGui::GetContentRegionAvail().x;
     Table table(desk, 8.4f * em);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, em * 0.05f});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.3f, 0});
     const int columns = width >= kThreeColumns * em ? 3 : width >= kTwoColumns * em ? 2 : 1;
     if (columns > 1) ImGui::Columns(columns, "help", false);
     mouse(desk, table);

@@ -85,7 +85,8 @@ class Lattice {
         for (std::size_t i = 0; i < size(); ++i)
             if (is_border(i)) reached.emplace(filled_[i] = height_[i], i);
         while (!reached.empty()) {
-            const auto [level, i] = reached.top();
+            const double level = reached.top().first;
+            const std::size_t i = reached.top().second;
             reached.pop();
             order_.push_back(i);
             for_neighbours(i, [&](std::size_t beside) {

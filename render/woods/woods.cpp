@@ -307,6 +307,7 @@ std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, st
     std::ranges::sort(grown, earlier);
     grown.resize(std::min(grown.size(), Woods::kMostBushes));
     std::vector<Tree> bushes;
+    bushes.reserve(grown.size());
     for (const Grown& each : grown) bushes.push_back(each.tree);
     return bushes;
 }

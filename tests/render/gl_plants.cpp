@@ -50,6 +50,7 @@ TEST_F(Plants, are_darker_where_the_soil_is_wet_and_where_a_look_has_a_date) {
     const auto seen = [&] {
         FrameInput input{world.view(), from_above({300, 300, 60}, 400), {180, 50}, look};
         input.width = input.height = 128;
+        EXPECT_TRUE(renderer_->load(look));
         renderer_->draw(input);
         return renderer_->read_back();
     };

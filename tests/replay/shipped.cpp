@@ -20,9 +20,9 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"couloir-avalanche", "7c830450d08238c2"}, {"landslide", "30e3f09a0a0cd7f2"},
-    {"landslide-bcre", "d941fb9cf4d1fed0"},    {"snow-avalanche", "2dfe0f955228b5df"},
-    {"winter-avalanche", "e440189c0539f404"},
+    {"couloir-avalanche", "7c830450d08238c2"}, {"hillside", "8844b42e362f1185"},
+    {"landslide", "30e3f09a0a0cd7f2"},         {"landslide-bcre", "d941fb9cf4d1fed0"},
+    {"snow-avalanche", "2dfe0f955228b5df"},    {"winter-avalanche", "e440189c0539f404"},
 };
 
 // Plays a recording again and returns its current state lines, one for each recorded line. After the end,
