@@ -20,7 +20,7 @@ struct Golden {
 };
 
 constexpr Golden kGoldens[] = {
-    {"couloir-avalanche", "7c830450d08238c2"}, {"hillside", "8844b42e362f1185"},
+    {"couloir-avalanche", "7c830450d08238c2"}, {"hillside", "d4495f3a8b5c427e"},
     {"landslide", "30e3f09a0a0cd7f2"},         {"landslide-bcre", "d941fb9cf4d1fed0"},
     {"snow-avalanche", "2dfe0f955228b5df"},    {"winter-avalanche", "e440189c0539f404"},
 };
