@@ -443,7 +443,7 @@ void Renderer::Parts::shade_ground(const Frame& frame, const Target& on, const M
                                    Target::Parts parts) {
     const FrameInput& input = frame.input;
     // The visible colours of the flow are drawn unlit, so that terrain and flow are lit together.
-    if (input.flows()) flow.draw(input.look.flow->pattern, marks.overlay, on, parts);
+    if (input.flows()) flow.draw(input.look, marks.overlay, on, parts);
     clock.mark(Pass::kFlow);
 
     // Each pixel is shaded once, whatever the number of triangles under it.

@@ -27,21 +27,8 @@ struct Paint {
 // Defined in paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: size of a sample, tiles.
 Paint paint(Sheet sheets[kSheets], float footprint);
 
-// In grain.glsl.
-float grain_level(float footprint);
-float raft_at(Sheet sheet, float level);
-
-// The share of turf, 0 to 1, that was torn off and rides on the flow, where plants are drawn.
-float turf(Sheet sheets[kSheets], float footprint) {
-    if (frame.season.w == 0.0 || frame.turf.w == 0.0) return 0.0;
-    float raft = 0.0, variance = 0.0;
-    for (int s = 0; s < kSheets; ++s) {
-        if (sheets[s].weight < 1.0 / 64.0) continue;
-        raft += sheets[s].weight * raft_at(sheets[s], grain_level(footprint));
-        variance += sheets[s].weight * sheets[s].weight;
-    }
-    return smoothstep(0.10, 0.16, raft * inversesqrt(max(variance, 0.05)));
-}
+// The share of turf, 0 to 1, that was torn off and rides on the flow, in turf.glsl; turf_none.glsl is for looks without a date.
+float turf(Sheet sheets[kSheets], float footprint);
 
 void main() {
     mat2 pixel = mat2(dFdx(at), dFdy(at));

@@ -9,12 +9,6 @@ struct Grain {
 
 float grain_level(float footprint) { return log2(footprint * float(textureSize(grain, 0).x)) - 0.4; }
 
-// How much a sheet's broad lumps stick out, −0.5 to 0.5: rafts of turf ride on these.
-float raft_at(Sheet sheet, float level) {
-    const mat2 kBroader = mat2(0.19, 0.07, -0.07, 0.19);  // lumps some five times as wide
-    return textureLod(grain, kBroader * sheet.place, max(level - 2.3, 0.0)).z - 0.5;
-}
-
 Grain grain_at(Sheet sheet, float level) {
     vec3 t = textureLod(grain, sheet.place, level).xyz;
     // Slopes are covectors: they are rotated and stretched with the coordinates.

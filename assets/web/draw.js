@@ -45,6 +45,7 @@ class Picture {
         const add = (vertex, fragment, out) => this.shaders.add(vertex, fragment, out);
         const stars = this.frame.floats('above')[3] > 0 ? 'stars.glsl' : 'stars_none.glsl';
         const dated = this.dated = this.frame.floats('season')[3] > 0 ? 'dated.glsl' : 'undated.glsl';
+        const turf = dated === 'dated.glsl' ? 'turf.glsl' : 'turf_none.glsl';
         this.programs = {
             openness: add(fullscreen, [...frame, 'openness.glsl', 'openness.frag']),
             surface: add(fullscreen, [...frame, 'cover.glsl', 'surface.glsl', 'surface.frag']),
@@ -67,7 +68,7 @@ class Picture {
                                                              'paint_blended.glsl']);
         if (info.texture && info.live)
             this.programs.flow = add([...frame, 'triangle_height.glsl', 'flow_live.vert'],
-                                     [...frame, 'flow.frag', 'grain.glsl', 'paint_blended.glsl']);
+                                     [...frame, 'flow.frag', 'grain.glsl', turf, 'paint_blended.glsl']);
         if (info.surroundings)
             this.programs.around = add([...frame, 'cover.glsl', 'surroundings.vert'],
                                        [...frame, dated, 'cover.glsl', 'light.glsl', 'ground.glsl', 'plants.glsl', 'surroundings.frag',

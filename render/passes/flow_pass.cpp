@@ -34,9 +34,10 @@ tl::expected<FlowPass, std::string> FlowPass::create(const std::filesystem::path
         return std::vector<ShaderStage>{on_surface("flow.vert"), {GL_FRAGMENT_SHADER, files}};
     };
     for (auto [program, stages] : std::initializer_list<std::pair<ProgramName*, std::vector<ShaderStage>>>{
-             {&pass.blended_, painted({"grain.glsl", "paint_blended.glsl"})},
-             {&pass.chosen_, painted({"grain.glsl", "paint_chosen.glsl"})},
-             {&pass.stretch_, painted({"tone_curve.glsl", "grain.glsl", "paint_stretch.glsl"})},
+             {&pass.blended_, painted({"grain.glsl", "turf_none.glsl", "paint_blended.glsl"})},
+             {&pass.blended_with_turf_, painted({"grain.glsl", "turf.glsl", "paint_blended.glsl"})},
+             {&pass.chosen_, painted({"grain.glsl", "turf_none.glsl", "paint_chosen.glsl"})},
+             {&pass.stretch_, painted({"tone_curve.glsl", "turf_none.glsl", "paint_stretch.glsl"})},
              {&pass.mesh_program_, {on_surface("flow_mesh.vert"), {GL_FRAGMENT_SHADER, {"flow_mesh.frag"}}}},
              {&pass.point_program_,
               {on_surface("flow_points.vert"),
@@ -107,7 +108,8 @@ void FlowPass::resize(const Target& target) {
     glNamedFramebufferDrawBuffers(framebuffer_.name(), kBoth.size(), kBoth.data());
 }
 
-void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts) {
+void FlowPass::draw(const Look& look, Overlay overlay, const Target& target, Target::Parts parts) {
+    const FlowPattern pattern = look.flow->pattern;
     CHECK(has(pattern));
     resize(target);
     target.lend_depth(framebuffer_.name());
@@ -119,8 +121,9 @@ void FlowPass::draw(FlowPattern pattern, Overlay overlay, const Target& target, 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
 
     texture(pattern)->bind();
+    const ProgramName& blended = look.date ? blended_with_turf_ : blended_;
     glUseProgram((overlay == Overlay::kStretch   ? stretch_
-                  : texture(pattern)->stochastic ? blended_
+                  : texture(pattern)->stochastic ? blended
                                                  : chosen_)
                      .name());
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), nearer(GL_POLYGON_OFFSET_FILL),

@@ -17,6 +17,7 @@
 #include "render/passes/flow_to_gpu.h"
 #include "render/passes/remesher.h"
 #include "render/passes/target.h"
+#include "render/view/look.h"
 #include "sim/core/grid.h"
 #include "sim/front/flow_view.h"
 
@@ -43,9 +44,9 @@ class FlowPass {
     void find_changes(const FlowTriangles& triangles, WhatChanged& changed) const;
     // Finds where these triangles of the mesh appear, which are all that may show the flow.
     void find(std::span<const TriangleRun> triangles, const WhatChanged& changed, const OnScreen& screen);
-    // Draws those that were found last in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth.
+    // Draws those that were found last, with the pattern of the look, in parts of `target`. Reads SLOT_RELIEF, SLOT_ROLLING, SLOT_LAYERS and its depth.
     // Writes SLOT_SKIN_ALBEDO and SLOT_SKIN_RELIEF and leaves them bound. Leaves another framebuffer bound.
-    void draw(FlowPattern pattern, Overlay overlay, const Target& target, Target::Parts parts);
+    void draw(const Look& look, Overlay overlay, const Target& target, Target::Parts parts);
     // Draws edges, fronts and points onto the scene; `samples` is the number along the edge of a pixel.
     void draw_mesh(int samples) const;
 
@@ -63,7 +64,7 @@ class FlowPass {
     };
 
     // Three variants, because shader code costs time even if its branch is not taken.
-    ProgramName blended_, chosen_, stretch_;
+    ProgramName blended_, blended_with_turf_, chosen_, stretch_;
     ProgramName mesh_program_, point_program_;
     Remesher remesher_;
     FlowToGpu coordinates_;

@@ -113,7 +113,7 @@ class FlowPicture : public Gl {
         const Rectangle all = target_.all();
         target_.begin_scene({&all, 1});
         pass_->find(triangles, changed_, screen_);
-        pass_->draw(FlowPattern::kSnow, Overlay::kNone, target_, {&all, 1});
+        pass_->draw(look_, Overlay::kNone, target_, {&all, 1});
         return {texels_of(SLOT_SKIN_ALBEDO), texels_of(SLOT_SKIN_RELIEF)};
     }
 
