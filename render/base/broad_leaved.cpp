@@ -266,14 +266,8 @@ TreeModel grow_broad_leaved_group(std::uint32_t seed, Foliage foliage) {
         // Lower at the ends, so that it goes over into the next one.
         const float high = chance(0.60f, 1.0f) * (1 - 0.35f * x * x);
         const float bright = chance(0.82f, 1.12f);
-        for (const TreeFace& face : kinds[static_cast<std::size_t>(i) % 2]) {
-            const auto put = [&](glm::vec3 p) {
-                return glm::vec3(p.x * high + x, p.y * high + y, p.z * high);
-            };
-            // Within a stand feet are dark.
-            const float light = face.light * bright * (0.70f + 0.45f * ramp(0.15f, 0.75f, face.a.z));
-            group.push_back({put(face.a), put(face.b), put(face.c), face.normal, face.other, light});
-        }
+        add_tree(group, kinds[static_cast<std::size_t>(i) % 2], {x, y, high, high, bright},
+                 {0.70f, 0.45f, 0.15f, 0.75f});
     }
     return group;
 }

@@ -293,14 +293,8 @@ TreeModel grow_group(std::uint32_t seed) {
         // Lower at the ends, so that it goes over into the next one.
         const float high = chance(0.5f, 1.0f) * (1 - 0.3f * x * x), wide = 1.4f * std::min(high + 0.1f, 1.f);
         const float bright = chance(0.8f, 1.15f);
-        for (const TreeFace& face : kinds[static_cast<std::size_t>(i) % 2]) {
-            const auto put = [&](glm::vec3 p) {
-                return glm::vec3(p.x * wide + x, p.y * wide + y, p.z * high);
-            };
-            // Within a stand feet are dark.
-            const float light = face.light * bright * (0.85f + 0.35f * ramp(0.1f, 0.7f, face.a.z));
-            group.push_back({put(face.a), put(face.b), put(face.c), face.normal, face.other, light});
-        }
+        add_tree(group, kinds[static_cast<std::size_t>(i) % 2], {x, y, wide, high, bright},
+                 {0.85f, 0.35f, 0.1f, 0.7f});
     }
     return group;
 }
