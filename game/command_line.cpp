@@ -777,10 +777,8 @@ void add_gallery(CLI::App& app, GalleryOptions& options) {
     app.footer(
         "Draws twenty views, and with --terrain one more: a valley at four times of day, a slide, its "
         "deposit,\n"
-        "a landslide, two materials, a valley in summer with a slide, and a debris flow. The page has the "
-        "time of each "
-        "pass, the camera and the state "
-        "hash.\n");
+        "a landslide, two materials, a valley in summer with a slide, and a debris flow. The page has the\n"
+        "time of each pass, the camera and the state hash.\n");
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {

@@ -456,6 +456,18 @@ TEST_F(UiPanels, size_letters_only_when_the_slider_is_let_go) {
     EXPECT_GT(place("Pour").height, 2.5 * at.height);
 }
 
+TEST_F(UiPanels, offer_a_month_where_the_scene_has_a_date) {
+    ui_->perform(Verb::kToggleDisplay);
+    settle();
+    EXPECT_FALSE(ui_->find("Month"));
+    scenario_.look.date = display_.date = render::Date{7, 10};
+    settle();
+    Display expected = display_;
+    expected.date = render::Date{8, 15};
+    EXPECT_TRUE(click("Month").empty());
+    EXPECT_EQ(only<SetDisplay>(click("August")).display, expected);
+}
+
 TEST_F(UiPanels, offer_no_letters_so_large_that_panels_lose_their_place) {
     begin_anew({1280, 720, 1});
     ui_->perform(Verb::kToggleDisplay);
