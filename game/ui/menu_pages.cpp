@@ -141,7 +141,11 @@ void put_on(Widgets::Card& card, const std::optional<ScenePictures::Part>& pictu
 
 void picture_and_title(Desk& desk, const std::optional<ScenePictures::Part>& picture, const char* title) {
     const float width = ImGui::GetContentRegionAvail().x;
-    if (picture) ImGui::Image(picture->texture, {width, width * 9 / 16}, picture->from, picture->to);
+    const ImVec2 size{width, width * 9 / 16};
+    if (picture)
+        ImGui::Image(picture->texture, size, picture->from, picture->to);
+    else
+        ImGui::Dummy(size);
     ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
     desk.widgets.plain("%s", tr(title));
     ImGui::PopStyleColor();

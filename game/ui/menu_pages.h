@@ -60,7 +60,8 @@ void cards_and_choice(const Desk& desk, const Cards& cards, const About& about) 
     ImGui::EndChild();
 }
 
-// A picture as wide as there is room, and the title under it.
+// A picture as wide as there is room, and the title under it. A picture that is still being read keeps its place, so that
+// no button moves from under the pointer when it comes.
 void picture_and_title(Desk& desk, const std::optional<ScenePictures::Part>& picture, const char* title);
 // The picture of a card, if there is one.
 void put_on(Widgets::Card& card, const std::optional<ScenePictures::Part>& picture);

@@ -109,6 +109,14 @@ TEST_F(UiMenu, opens_a_recording_by_its_file_because_scenes_have_names_too) {
     EXPECT_FALSE(ui_->find("Rename"));
 }
 
+TEST_F(UiMenu, moves_no_button_when_a_picture_comes) {
+    open_page("Watch");
+    settle();
+    const auto watch = *ui_->find("Watch"), order = *ui_->find("Order");
+    EXPECT_GE(watch.y - (order.y + order.height), watch.width * 9 / 16)
+        << "room for a picture that is still being read";
+}
+
 TEST_F(UiMenu, finds_and_sorts_what_the_user_has_made) {
     open_page("Watch");
     const auto is_left_of = [&](const char* one, const char* other) { return place(one).x < place(other).x; };
