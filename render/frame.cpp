@@ -135,7 +135,6 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     parts->terrain = ready(TerrainPass::create(shaders));
     parts->coarse_ground = ready(CoarseGround::create(shaders));
     parts->flow = ready(FlowPass::create(shaders));
-    parts->surroundings = ready(SurroundingsPass::create(shaders));
     parts->sky = fullscreen({"slots.glsl", "frame.glsl", "light.glsl", "sky.frag"});
     parts->day_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
     parts->night_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
@@ -163,9 +162,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-tl::expected<void, std::string> Renderer::load(const Look& look) {
-    if (look.date)
-        if (auto ready = parts_->terrain.load_dated(parts_->assets / "shaders"); !ready) return ready;
+tl::expected<void, std::string> Renderer::load(const Look& look, bool two_materials) {
+    const std::filesystem::path shaders = parts_->assets / "shaders";
+    const GroundKind kind{look.date.has_value(), two_materials};
+    if (auto ready = parts_->terrain.load(shaders, kind); !ready) return ready;
+    if (auto ready = parts_->surroundings.load(shaders, kind); !ready) return ready;
     if (!look.flow) return {};
     return parts_->flow.load(parts_->assets, look.flow->pattern);
 }
@@ -379,7 +380,7 @@ void Renderer::Parts::draw(const Frame& frame) {
 
     // Mountains stand around the surface, or it has walls.
     if (input.surrounded())
-        surroundings.draw(frame.block, redrawn.scene);
+        surroundings.draw(input.ground_kind(), redrawn.scene);
     else
         terrain.draw_walls(redrawn.scene);
     clock.mark(Pass::kSurroundings);
@@ -448,7 +449,7 @@ void Renderer::Parts::shade_ground(const Frame& frame, const Target& on, const M
 
     // Each pixel is shaded once, whatever the number of triangles under it.
     on.begin_shading();
-    terrain.shade(marks, tiles, {input.look.date.has_value(), input.world.mixture != nullptr}, on, parts);
+    terrain.shade(marks, tiles, input.ground_kind(), on, parts);
     clock.mark(Pass::kTerrain);
 }
 

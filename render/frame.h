@@ -33,9 +33,9 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    // Loads what a look needs: the texture of its flow, and the shaders of plants if it has a date. Call it before such a
-    // look is drawn. Fails if an image is missing or damaged; errors of shaders are as in create().
-    tl::expected<void, std::string> load(const Look& look);
+    // Loads what a world of this look needs: the shaders of its ground and the texture of its flow. Call it before such a
+    // world is drawn; nothing is loaded twice. Fails if an image is missing or damaged; errors of shaders are as in create().
+    tl::expected<void, std::string> load(const Look& look, bool two_materials);
 
     // Sets the quality of the following frames.
     void set_quality(Quality quality);

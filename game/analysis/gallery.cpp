@@ -92,7 +92,8 @@ Outcome<Gallery> Gallery::open(const std::optional<std::filesystem::path>& folde
     if (!context) return machine_fails(context.error());
     auto renderer = render::Renderer::create(*assets);
     if (!renderer) return machine_fails(renderer.error());
-    if (auto loaded = renderer->load(scenario.look); !loaded) return machine_fails(loaded.error());
+    if (auto loaded = renderer->load(scenario.look, scenario.lower.has_value()); !loaded)
+        return machine_fails(loaded.error());
 
     renderer->time_stages(render::suitable_timing());
     auto parts = std::make_unique<Parts>(std::move(*context), std::move(*renderer));

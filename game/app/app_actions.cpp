@@ -699,7 +699,7 @@ Outcome<void> App::begin_world(LoadedWorld loaded, std::optional<std::filesystem
     const bool same_scene = same && sandbox_->scenario().scene == loaded.scene.scenario.scene;
     const bool same_path =
         same_scene && sandbox_->scenario().camera_path == loaded.scene.scenario.camera_path;
-    if (auto ready = image_.load(loaded.scene.scenario.look); !ready) return ready;
+    if (auto ready = image_.load(loaded.scene.scenario); !ready) return ready;
     // While a recording is watched, nothing is recorded until it is taken over.
     Outcome<std::optional<Recorder>> recorder;
     if (!loaded.watched) recorder = begin_recording(loaded.scene.scenario, record);

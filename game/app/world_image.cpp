@@ -45,8 +45,9 @@ void WorldImage::begin_world(std::uint64_t frame_memory) {
     drop_photo();
 }
 
-Outcome<void> WorldImage::load(const render::Look& look) {
-    if (auto loaded = renderer_.load(look); !loaded) return machine_fails(loaded.error());
+Outcome<void> WorldImage::load(const Scenario& scenario) {
+    if (auto loaded = renderer_.load(scenario.look, scenario.lower.has_value()); !loaded)
+        return machine_fails(loaded.error());
     return {};
 }
 

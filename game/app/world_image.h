@@ -57,7 +57,7 @@ class WorldImage {
     // Another world, which leaves its images `frame_memory` bytes.
     void begin_world(std::uint64_t frame_memory);
     // What a look needs, before it is drawn. Errors: its images or shaders are missing or damaged.
-    Outcome<void> load(const render::Look& look);
+    Outcome<void> load(const Scenario& scenario);
 
     // Measures in the next frames which tier suits the machine.
     void begin_trial(double target_ms) { trial_.emplace(target_ms); }

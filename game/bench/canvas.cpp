@@ -51,7 +51,8 @@ Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 Outcome<void> Canvas::show(const Scenario& scenario) {
-    if (auto loaded = parts_->renderer.load(scenario.look); !loaded) return machine_fails(loaded.error());
+    if (auto loaded = parts_->renderer.load(scenario.look, scenario.lower.has_value()); !loaded)
+        return machine_fails(loaded.error());
     parts_->camera = scenario.camera;
     parts_->light = scenario.light;
     parts_->look = scenario.look;

@@ -102,7 +102,8 @@ Outcome<render::Renderer> make_renderer(const std::filesystem::path& assets, con
     auto renderer = render::Renderer::create(assets);
     if (!renderer) return machine_fails(renderer.error());
     for (const auto& [name, scene] : scenes)
-        if (auto loaded = renderer->load(scene.scenario.look); !loaded) return machine_fails(loaded.error());
+        if (auto loaded = renderer->load(scene.scenario.look, scene.scenario.lower.has_value()); !loaded)
+            return machine_fails(loaded.error());
     // Nothing else runs in this process while a frame is drawn, so that processor time is the frame's own.
     renderer->time_stages(render::comparable_timing());
     return std::move(*renderer);

@@ -121,7 +121,7 @@ Outcome<PageFigure> Studio::draw(const FlowFigure& figure, const std::filesystem
                                  sim::Workers& workers) {
     render::Look look;
     look.flow = render::FlowLook{figure.pattern};
-    if (auto loaded = parts_->renderer.load(look); !loaded) return machine_fails(loaded.error());
+    if (auto loaded = parts_->renderer.load(look, false); !loaded) return machine_fails(loaded.error());
     LevelFlow without(figure.squares, false), with(figure.squares, true);
     for (LevelFlow* flow : {&without, &with}) flow->advance(figure.flow, figure.seconds, workers);
     render::Marks stretch, mesh;

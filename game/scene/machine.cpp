@@ -37,7 +37,7 @@ std::uint64_t frame_bytes(const FrameUse& frames) {
 std::uint64_t drawing_bytes(const WorldUse& use) {
     std::uint64_t bytes = frame_bytes(use.frames);
     if (!use.draws) return bytes;
-    bytes += 244 * kMiB;  // OpenGL by software, shaders, patterns and trees
+    bytes += 340 * kMiB;  // OpenGL by software, shaders compiled for the first time, patterns and trees
     // Trees (render/woods/woods.h): while they are placed, as placed, with their light, and five times as drawn.
     constexpr std::uint64_t kTree = sizeof(render::Tree), kPerTree = 2 * (kTree + 12) + kTree + 16 + 5 * 80;
     return bytes + kPerTree * render::Woods::kMost;

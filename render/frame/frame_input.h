@@ -9,6 +9,7 @@
 #include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
 #include "render/view/flow_so_far.h"
+#include "render/view/ground_kind.h"
 #include "render/view/lens.h"
 #include "render/view/look.h"
 #include "render/view/wind.h"
@@ -71,6 +72,7 @@ struct FrameInput {
     WholeImage image() const { return whole.value_or(WholeImage{width, height}); }
 
     // Which parts it has.
+    GroundKind ground_kind() const { return {look.date.has_value(), world.mixture != nullptr}; }
     bool flows() const { return look.flow && flow; }
     bool surrounded() const { return surroundings && !surroundings->empty(); }
     bool may_have_trees() const { return marks.overlay == Overlay::kNone; }  // they would hide its values

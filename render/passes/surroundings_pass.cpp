@@ -12,6 +12,7 @@
 #include "assets/shaders/slots.glsl"
 #include "render/gl/program.h"
 #include "render/gl/scissor.h"
+#include "sim/core/check.h"
 
 namespace render {
 
@@ -34,20 +35,18 @@ Texture make_cover_texture(const Surroundings& around) {
 
 }  // namespace
 
-tl::expected<SurroundingsPass, std::string> SurroundingsPass::create(const std::filesystem::path& shaders) {
-    SurroundingsPass pass;
-    for (const bool dated : {false, true})
-        for (const bool two : {false, true}) {
-            auto program = link_program(
-                shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
-                          {GL_FRAGMENT_SHADER,
-                           {"slots.glsl", "frame.glsl", dated ? "dated.glsl" : "undated.glsl", "cover.glsl",
-                            "light.glsl", "ground.glsl", "plants.glsl", "surroundings.frag",
-                            two ? "surroundings_two.glsl" : "surroundings_one.glsl"}}});
-            if (!program) return tl::unexpected(program.error());
-            pass.programs_[dated][two] = std::move(*program);
-        }
-    return pass;
+tl::expected<void, std::string> SurroundingsPass::load(const std::filesystem::path& shaders,
+                                                       GroundKind kind) {
+    if (programs_[kind]) return {};
+    auto program = link_program(
+        shaders, {{GL_VERTEX_SHADER, {"slots.glsl", "frame.glsl", "cover.glsl", "surroundings.vert"}},
+                  {GL_FRAGMENT_SHADER,
+                   {"slots.glsl", "frame.glsl", kind.dated ? "dated.glsl" : "undated.glsl", "cover.glsl",
+                    "light.glsl", "ground.glsl", "plants.glsl", "surroundings.frag",
+                    kind.two_materials ? "surroundings_two.glsl" : "surroundings_one.glsl"}}});
+    if (!program) return tl::unexpected(program.error());
+    programs_[kind] = std::move(*program);
+    return {};
 }
 
 void SurroundingsPass::survey(const Surroundings& around, const FrameBlock& frame) {
@@ -172,9 +171,10 @@ void SurroundingsPass::find_parts(const WhatChanged& changed, const OnScreen& sc
     }
 }
 
-void SurroundingsPass::draw(const FrameBlock& frame, std::span<const Rectangle> parts) {
+void SurroundingsPass::draw(GroundKind kind, std::span<const Rectangle> parts) {
+    CHECK(programs_[kind]);
     const Enabled depth_test(GL_DEPTH_TEST), cull_face(GL_CULL_FACE), scissors(GL_SCISSOR_TEST);
-    glUseProgram(programs_[frame.season.w > 0][frame.lower_standing.w > 0].name());
+    glUseProgram(programs_[kind]->name());
     glBindVertexArray(vertex_array_.name());
     for (const Rectangle& part : parts) {
         counts_.clear();

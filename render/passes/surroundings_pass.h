@@ -15,13 +15,15 @@
 #include "render/mountain/surroundings.h"
 #include "render/mountain/surroundings_mesh.h"
 #include "render/view/frame_block.h"
+#include "render/view/ground_kind.h"
 
 namespace render {
 
 // Draws the mountains around the block.
 class SurroundingsPass {
   public:
-    static tl::expected<SurroundingsPass, std::string> create(const std::filesystem::path& shaders);
+    // Compiles what draw() needs for ground of this kind, if it has not yet. Errors name the shader file and line.
+    tl::expected<void, std::string> load(const std::filesystem::path& shaders, GroundKind kind);
 
     // Computes and uploads what depends on the surroundings, and on the direction of the sun: a tenth of a second
     // and a few hundredths. Does nothing if both are known.
@@ -32,7 +34,7 @@ class SurroundingsPass {
     void find(const Redraw& redraw);
     // Draws colour and depth in parts of the frame, where nothing nearer was drawn. Reads SLOT_RELIEF, SLOT_LAYERS,
     // SLOT_MIXTURE, SLOT_DETAIL, SLOT_FIRST_COVER.
-    void draw(const FrameBlock& frame, std::span<const Rectangle> parts);
+    void draw(GroundKind kind, std::span<const Rectangle> parts);
 
   private:
     // A triangle with corners on the grid, whose heights are those of the world.
@@ -45,9 +47,8 @@ class SurroundingsPass {
     void find_seams(float cell);
     void find_parts(const WhatChanged& changed, const OnScreen& screen);
 
-    // Variants, because shader code costs time even if its branch is not taken.
-    std::array<std::array<ProgramName, 2>, 2> programs_;  // with a date; of two materials
-    std::uint64_t known_ = 0;                             // fingerprint
+    OfGroundKind<ProgramName> programs_;
+    std::uint64_t known_ = 0;  // fingerprint
     glm::vec4 known_sun_{0};
     SurroundingsMesh mesh_;
     std::vector<float> sunlit_;

@@ -30,22 +30,30 @@ Texture detail_texture_of(const std::vector<std::uint8_t>& texels) {
     return texture;
 }
 
-// Creates the surface's shading with the files that define materials, slides and marks, and whether looks have a date.
-tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders,
-                                                      std::string_view dated,
+// Creates the surface's shading with the files that define slides and marks.
+tl::expected<RectanglePass, std::string> make_shading(const std::filesystem::path& shaders, GroundKind kind,
                                                       const std::vector<std::string_view>& variant) {
-    std::vector<std::string_view> files{"slots.glsl",       "frame.glsl",         dated,
-                                        "light.glsl",       "sun_ceiling.glsl",   "ground.glsl",
-                                        "plants.glsl",      "tone_curve.glsl",    "spline.glsl",
-                                        "scene_depth.glsl", "surface_place.glsl", "terrain.frag"};
+    std::vector<std::string_view> files{"slots.glsl",
+                                        "frame.glsl",
+                                        kind.dated ? "dated.glsl" : "undated.glsl",
+                                        "light.glsl",
+                                        "sun_ceiling.glsl",
+                                        "ground.glsl",
+                                        "plants.glsl",
+                                        "tone_curve.glsl",
+                                        "spline.glsl",
+                                        "scene_depth.glsl",
+                                        "surface_place.glsl",
+                                        "terrain.frag",
+                                        kind.two_materials ? "materials_two.glsl" : "materials_one.glsl"};
     files.insert(files.end(), variant.begin(), variant.end());
     return RectanglePass::create(shaders, files);
 }
 
 }  // namespace
 
-tl::expected<TerrainPass::Programs, std::string> TerrainPass::make_programs(
-    const std::filesystem::path& shaders, std::string_view dated) {
+tl::expected<TerrainPass::Shadings, std::string> TerrainPass::make_shadings(
+    const std::filesystem::path& shaders, GroundKind kind) {
     struct Marking {
         Shading Shadings::*to;
         std::vector<std::string_view> files;
@@ -62,19 +70,16 @@ tl::expected<TerrainPass::Programs, std::string> TerrainPass::make_programs(
         {&Shading::with_walls, {"earth_none.glsl", "wet_none.glsl", "slides.glsl", "crown.glsl"}},
         {&Shading::with_slides, {"earth_none.glsl", "wet_none.glsl", "slides.glsl", "crown_none.glsl"}},
         {&Shading::without, {"earth_none.glsl", "wet_none.glsl", "slides_none.glsl", "crown_none.glsl"}}};
-    Programs programs;
-    for (const bool two : {false, true})
-        for (const Marking& marking : markings)
-            for (const Variant& variant : variants) {
-                std::vector<std::string_view> files{two ? "materials_two.glsl" : "materials_one.glsl"};
-                files.insert(files.end(), variant.files.begin(), variant.files.end());
-                files.insert(files.end(), marking.files.begin(), marking.files.end());
-                auto shading = make_shading(shaders, dated, files);
-                if (!shading) return tl::unexpected(shading.error());
-                Shadings& to = two ? programs.two_materials : programs.one_material;
-                (to.*marking.to).*variant.to = std::move(*shading);
-            }
-    return programs;
+    Shadings shadings;
+    for (const Marking& marking : markings)
+        for (const Variant& variant : variants) {
+            std::vector<std::string_view> files = variant.files;
+            files.insert(files.end(), marking.files.begin(), marking.files.end());
+            auto shading = make_shading(shaders, kind, files);
+            if (!shading) return tl::unexpected(shading.error());
+            (shadings.*marking.to).*variant.to = std::move(*shading);
+        }
+    return shadings;
 }
 
 tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem::path& shaders) {
@@ -87,21 +92,18 @@ tl::expected<TerrainPass, std::string> TerrainPass::create(const std::filesystem
         {vertex,
          {GL_FRAGMENT_SHADER, {"slots.glsl", "frame.glsl", "light.glsl", "sun_ceiling.glsl", "walls.frag"}}});
     if (!walls) return tl::unexpected(walls.error());
-    auto undated = make_programs(shaders, "undated.glsl");
-    if (!undated) return tl::unexpected(undated.error());
     TerrainPass pass;
-    pass.undated_ = std::move(*undated);
     pass.depth_program_ = std::move(*depth);
     pass.wall_program_ = std::move(*walls);
     pass.detail_texture_ = detail_texture_of(detail.get());
     return pass;
 }
 
-tl::expected<void, std::string> TerrainPass::load_dated(const std::filesystem::path& shaders) {
-    if (dated_) return {};
-    auto dated = make_programs(shaders, "dated.glsl");
-    if (!dated) return tl::unexpected(dated.error());
-    dated_ = std::move(*dated);
+tl::expected<void, std::string> TerrainPass::load(const std::filesystem::path& shaders, GroundKind kind) {
+    if (shadings_[kind]) return {};
+    auto shadings = make_shadings(shaders, kind);
+    if (!shadings) return tl::unexpected(shadings.error());
+    shadings_[kind] = std::move(*shadings);
     return {};
 }
 
@@ -190,12 +192,11 @@ void TerrainPass::find_runs(const Rectangle& part) {
     }
 }
 
-void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, Kind kind, const Target& target,
+void TerrainPass::shade(const Marks& marks, const SlideTiles& tiles, GroundKind kind, const Target& target,
                         Target::Parts parts) {
-    CHECK(!kind.dated || dated_);
+    CHECK(shadings_[kind]);
     glBindTextureUnit(SLOT_DETAIL, detail_texture_.name());
-    const Programs& programs = kind.dated ? *dated_ : undated_;
-    const Shadings& shadings = kind.two_materials ? programs.two_materials : programs.one_material;
+    const Shadings& shadings = *shadings_[kind];
     const Shading& shading = marks.overlay != Overlay::kNone ? shadings.overlaid
                              : marks.has_lines()             ? shadings.marked
                                                              : shadings.plain;

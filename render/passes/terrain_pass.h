@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -18,6 +16,7 @@
 #include "render/mountain/ground_mesh.h"
 #include "render/passes/rectangle_pass.h"
 #include "render/passes/target.h"
+#include "render/view/ground_kind.h"
 #include "render/view/on_screen.h"
 
 namespace render {
@@ -28,13 +27,8 @@ namespace render {
 class TerrainPass {
   public:
     static tl::expected<TerrainPass, std::string> create(const std::filesystem::path& shaders);
-    // Compiles what shade() needs for looks with a date, if it has not yet. Errors as in create().
-    tl::expected<void, std::string> load_dated(const std::filesystem::path& shaders);
-
-    // What is shaded.
-    struct Kind {
-        bool dated = false, two_materials = false;
-    };
+    // Compiles what shade() needs for ground of this kind, if it has not yet. Errors as in create().
+    tl::expected<void, std::string> load(const std::filesystem::path& shaders, GroundKind kind);
 
     void send_mesh(const GroundMesh& mesh);
     // Finds where blocks of the ground appear; unless everything is drawn anew, those that rose or sank. Marks nothing.
@@ -42,7 +36,7 @@ class TerrainPass {
     // The following draw parts of `target`.
     void draw_depth(Target::Parts parts);  // reads SLOT_RELIEF
     // Reads SLOT_SCENE_DEPTH, SLOT_RELIEF, SLOT_LAYERS, SLOT_MEASURE, SLOT_SUN_CEILING, SLOT_DETAIL, SLOT_EARTH.
-    void shade(const Marks& marks, const SlideTiles& tiles, Kind kind, const Target& target,
+    void shade(const Marks& marks, const SlideTiles& tiles, GroundKind kind, const Target& target,
                Target::Parts parts);
     void draw_walls(
         Target::Parts parts) const;  // reads SLOT_RELIEF, SLOT_SITE, SLOT_SUN_CEILING, SLOT_DETAIL
@@ -71,13 +65,9 @@ class TerrainPass {
     struct Shadings {
         Shading plain, marked, overlaid;
     };
-    struct Programs {
-        Shadings one_material, two_materials;
-    };
-    static tl::expected<Programs, std::string> make_programs(const std::filesystem::path& shaders,
-                                                             std::string_view dated);
-    Programs undated_;
-    std::optional<Programs> dated_;
+    static tl::expected<Shadings, std::string> make_shadings(const std::filesystem::path& shaders,
+                                                             GroundKind kind);
+    OfGroundKind<Shadings> shadings_;
     Rectangles with_earth_, with_walls_, with_slides_, without_;
     Indexed surface_, walls_;
     Texture detail_texture_;

@@ -10,6 +10,7 @@
 #include "tests/baselines/image_baseline.h"
 #include "tests/render/world.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 // One frame for each pass, made so that the pass has something to say in it.
 
@@ -32,9 +33,7 @@ class Pass : public testing::Test {
     void SetUp() override {
         static const auto context = render::HeadlessContext::create("auto");
         ASSERT_TRUE(context) << context.error();
-        auto renderer = render::Renderer::create(support::source_dir() / "assets", Quality::kFast);
-        ASSERT_TRUE(renderer) << renderer.error();
-        renderer_.emplace(std::move(*renderer));
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(renderer_, Quality::kFast));
     }
 
     render::Picture draw(const World& world, const Camera& camera, const Light& light = {},
@@ -136,7 +135,7 @@ class FlowPass : public Pass {
         for (const auto pattern : {render::FlowPattern::kSnow, render::FlowPattern::kCheckerboard}) {
             render::Look look;
             look.flow = render::FlowLook{pattern};
-            const auto loaded = renderer_->load(look);
+            const auto loaded = renderer_->load(look, false);
             ASSERT_TRUE(loaded) << loaded.error();
         }
         std::vector<glm::vec2> velocity;

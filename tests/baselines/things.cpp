@@ -8,6 +8,7 @@
 #include "tests/baselines/image_baseline.h"
 #include "tests/render/world.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 // Contact sheets: each thing intact, damaged, destroyed and buried, from left to right.
 
@@ -30,9 +31,7 @@ class ThingsSheet : public testing::Test {
     void SetUp() override {
         static const auto context = render::HeadlessContext::create("auto");
         ASSERT_TRUE(context) << context.error();
-        auto renderer = render::Renderer::create(support::source_dir() / "assets", render::Quality::kFine);
-        ASSERT_TRUE(renderer) << renderer.error();
-        renderer_.emplace(std::move(*renderer));
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(renderer_, render::Quality::kFine));
         world_.depth.fill(kSnow);
         world_.things.emplace(world_.grid);
         world_.things->natural = world_.bedrock;

@@ -15,6 +15,7 @@
 #include "game/session/sandbox.h"
 #include "render/frame.h"
 #include "render/gl/context.h"
+#include "tests/support/renderer.h"
 
 namespace game::test {
 
@@ -29,12 +30,6 @@ class OffScreen : public testing::Test {
         context_.emplace(std::move(*context));
     }
 
-    static void make(std::optional<render::Renderer>& renderer) {
-        auto made = render::Renderer::create(assets_folder().value(), render::Quality::kFast);
-        ASSERT_TRUE(made) << made.error();
-        renderer.emplace(std::move(*made));
-    }
-
     std::optional<render::HeadlessContext> context_;  // first, because the renderers' GL names live in it
 };
 
@@ -43,7 +38,7 @@ class DrawnScene : public OffScreen {
   protected:
     void SetUp() override {
         ASSERT_NO_FATAL_FAILURE(OffScreen::SetUp());
-        ASSERT_NO_FATAL_FAILURE(make(renderer_));
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(renderer_, render::Quality::kFast));
         Overrides overrides;
         overrides.squares = 48;
         scene_ = load_scene("winter-avalanche", overrides).value();

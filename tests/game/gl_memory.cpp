@@ -29,6 +29,7 @@ TEST(DrawingMemory, estimate_is_at_least_the_measured_peak) {
           "local-lax-friedrichs"},
          65,
          1},
+        {{"run", "hillside", "--grid", "64", "--seconds", "0.05", "--every", "1", "--frames", out}, 65, 2},
     };
     // Larger ones take a processor half a minute each.
     for (const auto& [width, height] : {std::pair{16, 16}, {1280, 720}, {2500, 2000}})

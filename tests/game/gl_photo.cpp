@@ -18,7 +18,7 @@ class GlPhoto : public OffScreen {
   protected:
     void SetUp() override {
         ASSERT_NO_FATAL_FAILURE(OffScreen::SetUp());
-        ASSERT_NO_FATAL_FAILURE(make(renderer_));
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(renderer_, render::Quality::kFast));
         renderer_->set_quality(render::Quality::kFine);
         Overrides overrides;
         overrides.squares = 48;

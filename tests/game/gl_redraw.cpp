@@ -147,14 +147,14 @@ class Redraw : public OffScreen {
     void SetUp() override {
         ASSERT_NO_FATAL_FAILURE(OffScreen::SetUp());
         for (std::optional<render::Renderer>* renderer : {&parts_, &whole_})
-            ASSERT_NO_FATAL_FAILURE(make(*renderer));
+            ASSERT_NO_FATAL_FAILURE(support::make_renderer(*renderer, render::Quality::kFast));
     }
 
     // Bytes that differ between a frame of which what changed was drawn and the same one drawn as a whole.
     int differing(const Player& player) {
         const render::FrameInput input = player.input();
         for (render::Renderer* renderer : {&*parts_, &*whole_}) {
-            EXPECT_TRUE(renderer->load(input.look));
+            EXPECT_TRUE(renderer->load(input.look, input.ground_kind().two_materials));
             renderer->set_quality(player.fine() ? render::Quality::kFine : render::Quality::kFast);
         }
         parts_->draw(input);

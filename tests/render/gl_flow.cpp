@@ -32,7 +32,7 @@ class Flow : public Gl {
         for (const FlowPattern pattern : {FlowPattern::kCheckerboard, FlowPattern::kSnow}) {
             Look look;
             look.flow = FlowLook{pattern};
-            const auto loaded = renderer_->load(look);
+            const auto loaded = renderer_->load(look, false);
             ASSERT_TRUE(loaded) << loaded.error();
         }
     }

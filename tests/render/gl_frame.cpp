@@ -7,6 +7,7 @@
 #include "render/mountain/overview.h"
 #include "tests/render/gl_scene.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 namespace render::test {
 namespace {
@@ -162,8 +163,8 @@ TEST_F(Gl, leaves_the_stencil_test_as_it_was) {
 TEST_F(Gl, differs_between_fine_and_fast_quality_only_at_edges) {
     const World world = hill();
     const Picture fast = draw(world, overview(world.view()), Light(), plain_look(), 160, 90);
-    auto fine_renderer = Renderer::create(support::source_dir() / "assets", Quality::kFine);
-    ASSERT_TRUE(fine_renderer) << fine_renderer.error();
+    std::optional<Renderer> fine_renderer;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(fine_renderer, Quality::kFine));
     fine_renderer->draw({world.view(), overview(world.view()), Light(), plain_look(), {}, nullptr, 160, 90});
     const Picture fine = fine_renderer->read_back();
     double sum = 0;

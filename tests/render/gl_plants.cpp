@@ -19,7 +19,7 @@ class Plants : public Gl {
         FrameInput input{world.view(), from_above({300, 300, 0}, 400), {180, 50}, look};
         input.width = input.height = 128;
         if (surrounded) input.surroundings = &around;
-        EXPECT_TRUE(renderer_->load(look));
+        EXPECT_TRUE(renderer_->load(look, false));
         renderer_->draw(input);
         return mean_colour(renderer_->read_back(), 64, 64, 60);
     }
@@ -50,7 +50,7 @@ TEST_F(Plants, are_darker_where_the_soil_is_wet_and_where_a_look_has_a_date) {
     const auto seen = [&] {
         FrameInput input{world.view(), from_above({300, 300, 60}, 400), {180, 50}, look};
         input.width = input.height = 128;
-        EXPECT_TRUE(renderer_->load(look));
+        EXPECT_TRUE(renderer_->load(look, false));
         renderer_->draw(input);
         return renderer_->read_back();
     };

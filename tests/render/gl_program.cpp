@@ -29,8 +29,10 @@ class Shaders : public Gl {
     }
 
     std::string error() const {
-        const auto renderer = Renderer::create(folder_.path());
-        return renderer ? "" : renderer.error();
+        auto renderer = Renderer::create(folder_.path());
+        if (!renderer) return renderer.error();
+        const auto loaded = renderer->load({}, false);
+        return loaded ? "" : loaded.error();
     }
 
     support::TemporaryFolder folder_;

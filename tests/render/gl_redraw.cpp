@@ -4,6 +4,7 @@
 
 #include "tests/render/gl_scene.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 // Frames of which only what changed is drawn. tests/game/gl_redraw.cpp plays random sessions; here a renderer forgets one
 // thing after the other on purpose, and each time the comparison must see it.
@@ -54,9 +55,7 @@ class Redraw : public Gl, public testing::WithParamInterface<Mistake> {
   protected:
     void SetUp() override {
         Gl::SetUp();
-        auto made = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-        ASSERT_TRUE(made) << made.error();
-        whole_.emplace(std::move(*made));
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(whole_, Quality::kFast));
     }
 
     // Frames that differ from those that are drawn as a whole.
@@ -89,8 +88,8 @@ TEST_P(Redraw, draws_the_same_bytes_and_shows_a_mistake) {
 }
 
 TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
-    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-    ASSERT_TRUE(whole) << whole.error();
+    std::optional<Renderer> whole;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(whole, Quality::kFast));
     Play play;
     renderer_->set_redraw(kTightestRules);
     for (int frame = 0; frame < 6; ++frame) {
@@ -107,8 +106,8 @@ TEST_F(Gl, redraws_only_around_an_outline_that_is_moved) {
 }
 
 TEST_F(Gl, redraws_only_around_the_outline_of_an_extent_that_grows) {
-    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-    ASSERT_TRUE(whole) << whole.error();
+    std::optional<Renderer> whole;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(whole, Quality::kFast));
     Play play;
     renderer_->set_redraw(kTightestRules);
     renderer_->draw(play.input());
@@ -132,8 +131,8 @@ TEST_F(Gl, redraws_only_around_the_outline_of_an_extent_that_grows) {
 
 // A forest is planted, broken and felled, and houses are built, damaged and removed.
 TEST_F(Gl, redraws_only_around_a_forest_and_houses_that_change) {
-    auto whole = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-    ASSERT_TRUE(whole) << whole.error();
+    std::optional<Renderer> whole;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(whole, Quality::kFast));
     Play play;
     play.world.things.emplace(play.world.grid);
     play.world.things->natural = play.world.bedrock;
@@ -181,8 +180,8 @@ TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
         renderer_->draw(play.input());
         EXPECT_TRUE(frame == 0 || renderer_->redrawn() < 1) << frame;
         const Picture picture = renderer_->read_back();
-        auto fresh = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-        ASSERT_TRUE(fresh) << fresh.error();
+        std::optional<Renderer> fresh;
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(fresh, Quality::kFast));
         fresh->draw(play.input());
         EXPECT_TRUE(alike(picture, fresh->read_back())) << frame;
         if (frame == 0) flat = picture;

@@ -5,6 +5,7 @@
 #include "tests/render/watched.h"
 #include "tests/support/allocations.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 // Successive frames, as a window draws them.
 namespace render::test {
@@ -56,8 +57,8 @@ TEST_F(Gl, allocates_nothing_and_creates_no_object_in_later_frames) {
 TEST_F(Gl, changes_its_quality_between_frames) {
     const World world = covered_hill();
     const Camera camera = overview(world.view());
-    auto fine = Renderer::create(support::source_dir() / "assets", Quality::kFine);
-    ASSERT_TRUE(fine) << fine.error();
+    std::optional<Renderer> fine;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(fine, Quality::kFine));
     fine->draw({world.view(), camera, Light(), Look(), {}, nullptr, 160, 90});
 
     const Picture fast = draw(world, camera, Light(), Look(), 160, 90);

@@ -7,6 +7,7 @@
 #include "render/gl/context.h"
 #include "render/gl/gl_handle.h"
 #include "tests/support/places.h"
+#include "tests/support/renderer.h"
 
 namespace render::test {
 namespace {
@@ -114,14 +115,12 @@ int Gl::rounding() {
 void Gl::SetUp() {
     context();
     spoil_new_memory();
-    auto renderer = Renderer::create(support::source_dir() / "assets", Quality::kFast);
-    ASSERT_TRUE(renderer) << renderer.error();
-    renderer_.emplace(std::move(*renderer));
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(renderer_, Quality::kFast));
 }
 
 Picture Gl::draw(const World& world, const Camera& camera, const Light& light, const Look& look, int width,
                  int height, const Marks& marks) {
-    EXPECT_TRUE(renderer_->load(look));
+    EXPECT_TRUE(renderer_->load(look, world.mixture.has_value()));
     renderer_->draw({world.view(), camera, light, look, marks, nullptr, width, height});
     return renderer_->read_back();
 }

@@ -17,7 +17,7 @@ class DrawnTrees : public Gl {
         look_ = plain_look();
     }
     Picture drawn(const Woods* woods, const Surroundings* around, const Marks& marks = {}) {
-        EXPECT_TRUE(renderer_->load(look_));
+        EXPECT_TRUE(renderer_->load(look_, false));
         renderer_->draw({.world = world_.view(),
                          .camera = {{300, 300, 60}, 180, 15, 500, 40},
                          .light = {240, 30},
