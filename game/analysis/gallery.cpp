@@ -24,8 +24,7 @@ struct Gallery::Parts {
     render::Light light;
     render::Look look;
     std::vector<float> first_depth;  // m
-    render::Surroundings surroundings;
-    render::Woods woods;
+    Backdrop backdrop;
     render::Wind wind;
     std::string notice;
     int pictures = 0;
@@ -52,9 +51,10 @@ struct Gallery::Parts {
         return {.world = session.view(),
                 .camera = from,
                 .flow = session.fronts(),
-                .surroundings = &surroundings,
+                .surroundings = &backdrop.mountains,
+                .land = &backdrop.land,
                 .powder = session.powder(),
-                .woods = &woods,
+                .woods = &backdrop.woods,
                 .flow_so_far = session.flow_so_far(),
                 .structures = &session.structures(),
                 .wind = wind,
@@ -105,9 +105,8 @@ Outcome<Gallery> Gallery::open(const std::optional<std::filesystem::path>& folde
     parts->first_depth = scenario.depth;
     parts->wind = scenario.wind;
     if (!scenario.model) {
-        parts->surroundings = mountains_around(scenario);
-        parts->woods = woods_on(scenario, parts->surroundings);
-        parts->notice = woods_notice(scenario, parts->woods);
+        parts->backdrop = backdrop_of(scenario);
+        parts->notice = woods_notice(scenario, parts->backdrop.woods);
     }
     return Gallery(std::move(parts));
 }
@@ -157,7 +156,7 @@ PictureSize Gallery::size() const {
     return parts_->size;
 }
 const render::Surroundings& Gallery::surroundings() const {
-    return parts_->surroundings;
+    return parts_->backdrop.mountains;
 }
 
 }  // namespace game

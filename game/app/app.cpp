@@ -663,8 +663,9 @@ render::Marks App::marks() const {
 }
 
 WorldImage::Subject App::subject() const {
-    return {*sandbox_, lookout_.surroundings(), lookout_.woods(), ghost_.inside(),
-            runs_ ? runs_->probability() : std::span<const float>()};
+    return {*sandbox_,       lookout_.surroundings(),
+            lookout_.land(), lookout_.woods(),
+            ghost_.inside(), runs_ ? runs_->probability() : std::span<const float>()};
 }
 
 void App::draw_world(const FrameTime& time) {

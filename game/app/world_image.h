@@ -40,6 +40,7 @@ class WorldImage {
     struct Subject {
         const Sandbox& sandbox;
         const render::Surroundings& surroundings;
+        const render::Land& land;
         const render::Woods& woods;
         std::span<const std::uint8_t> extent;  // of the best run, or empty
         std::span<const float> probability;    // of the runs that are shown, or empty

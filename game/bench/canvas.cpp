@@ -25,8 +25,7 @@ struct Canvas::Parts {
     render::Light light = {};
     render::Look look = {};
     std::vector<float> first_depth = {};  // m
-    render::Surroundings surroundings = {};
-    render::Woods woods = {};
+    Backdrop backdrop = {};
     render::Wind wind = {};
     bool turned = false;
 };
@@ -57,9 +56,8 @@ Outcome<void> Canvas::show(const Scenario& scenario) {
     parts_->light = scenario.light;
     parts_->look = scenario.look;
     parts_->first_depth = scenario.depth;
-    parts_->surroundings = scenario.model ? render::Surroundings() : mountains_around(scenario);
+    parts_->backdrop = scenario.model ? Backdrop() : backdrop_of(scenario);
     parts_->wind = scenario.wind;
-    parts_->woods = woods_on(scenario, parts_->surroundings);
     return {};
 }
 
@@ -77,9 +75,10 @@ render::DrawTimes Canvas::draw(const Session& session) {
                      .width = p.options.size.width,
                      .height = p.options.size.height,
                      .first_depth = p.first_depth,
-                     .surroundings = &p.surroundings,
+                     .surroundings = &p.backdrop.mountains,
+                     .land = &p.backdrop.land,
                      .powder = session.powder(),
-                     .woods = &p.woods,
+                     .woods = &p.backdrop.woods,
                      .flow_so_far = session.flow_so_far(),
                      .structures = &session.structures(),
                      .wind = p.wind,

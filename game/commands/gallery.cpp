@@ -53,8 +53,7 @@ Outcome<Scenes> load_scenes(const GalleryOptions& options, std::span<const Galle
 struct World {
     const Scene* scene;
     Session session;
-    render::Surroundings mountains;
-    render::Woods woods;
+    Backdrop backdrop;
 };
 using Worlds = std::map<std::string, World>;
 
@@ -73,11 +72,10 @@ Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options
         if (!session) return tl::unexpected(session.error());
         session->follow_fronts(scene.scenario);
         session->follow_powder(scene.scenario);
-        auto mountains = mountains_around(scene.scenario);
-        auto woods = woods_on(scene.scenario, mountains);
-        if (const std::string notice = woods_notice(scene.scenario, woods); !notice.empty())
+        auto backdrop = backdrop_of(scene.scenario);
+        if (const std::string notice = woods_notice(scene.scenario, backdrop.woods); !notice.empty())
             print_line(stderr, "couloir: {}", notice);
-        worlds.emplace(name, World{&scene, std::move(*session), std::move(mountains), std::move(woods)});
+        worlds.emplace(name, World{&scene, std::move(*session), std::move(backdrop)});
     }
     return worlds;
 }
@@ -137,21 +135,23 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
     drawn.light = moment.view.light;
     render::Look look = scenario.look;
     if (moment.view.date) look.date = moment.view.date;
-    const render::FrameInput input{.world = session.view(),
-                                   .camera = drawn.camera,
-                                   .light = drawn.light,
-                                   .look = look,
-                                   .flow = session.fronts(),
-                                   .width = options.size.width,
-                                   .height = options.size.height,
-                                   .first_depth = scenario.depth,
-                                   .surroundings = scenario.model ? nullptr : &moment.world->mountains,
-                                   .powder = session.powder(),
-                                   .woods = &moment.world->woods,
-                                   .flow_so_far = session.flow_so_far(),
-                                   .structures = &session.structures(),
-                                   .wind = scenario.wind,
-                                   .seconds = session.seconds()};
+    const render::FrameInput input{
+        .world = session.view(),
+        .camera = drawn.camera,
+        .light = drawn.light,
+        .look = look,
+        .flow = session.fronts(),
+        .width = options.size.width,
+        .height = options.size.height,
+        .first_depth = scenario.depth,
+        .surroundings = scenario.model ? nullptr : &moment.world->backdrop.mountains,
+        .land = &moment.world->backdrop.land,
+        .powder = session.powder(),
+        .woods = &moment.world->backdrop.woods,
+        .flow_so_far = session.flow_so_far(),
+        .structures = &session.structures(),
+        .wind = scenario.wind,
+        .seconds = session.seconds()};
     drawn.moving = timed(renderer, input, render::Quality::kMoving);
     drawn.fast = timed(renderer, input, render::Quality::kFast);
     drawn.fine = timed(renderer, input, render::Quality::kFine);

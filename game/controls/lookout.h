@@ -32,6 +32,7 @@ class Lookout {
     CameraControl& control() { return *control_; }
     const render::Camera& camera() const { return control_->camera(); }
     const render::Surroundings& surroundings() const;
+    const render::Land& land() const { return backdrop_.land; }
     const render::Woods& woods() const { return backdrop_.woods; }
 
     // Applies the input of a frame to the camera, and finds the ground under the cursor in the new view.

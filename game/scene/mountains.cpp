@@ -38,6 +38,10 @@ std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
 
 }  // namespace
 
+render::Land land_on(const Scenario& scenario, const render::Surroundings& mountains, int most_along) {
+    return scenario.look.date ? render::land_of(mountains, most_along) : render::Land();
+}
+
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
     render::TreeRules rules = scenario.trees;
     rules.mixed = scenario.look.date.has_value();
@@ -56,7 +60,8 @@ std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {
 }
 
 Backdrop backdrop_of(const Scenario& scenario) {
-    Backdrop backdrop{mountains_around(scenario), {}};
+    Backdrop backdrop{mountains_around(scenario), {}, {}};
+    backdrop.land = land_on(scenario, backdrop.mountains);
     backdrop.woods = woods_on(scenario, backdrop.mountains);
     return backdrop;
 }

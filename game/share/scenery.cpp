@@ -5,7 +5,6 @@
 
 #include "game/scene/mountains.h"
 #include "game/share/built_pieces.h"
-#include "render/mountain/land.h"
 #include "render/mountain/spindrift.h"
 #include "render/mountain/sun_sweep.h"
 #include "render/mountain/surroundings_mesh.h"
@@ -128,7 +127,7 @@ void Scenery::pack_surroundings(PackedStream& into) const {
 }
 
 void Scenery::pack_land(PackedStream& into) const {
-    const render::Land land = render::land_of(around_, render::Land::kInPages);
+    const render::Land land = land_on(scenario_, around_, render::Land::kInPages);
     for (std::size_t part = 0; const char* name : {"brook", "moisture", "tilled", "rubble"}) {
         std::vector<std::uint32_t> shares;
         shares.reserve(land.texels.size() / 4);

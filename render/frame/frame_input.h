@@ -6,6 +6,7 @@
 
 #include "render/buildings/structures.h"
 #include "render/frame/marks.h"
+#include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
 #include "render/view/flow_so_far.h"
@@ -50,6 +51,8 @@ struct FrameInput {
     std::span<const float> first_depth = {};
     // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
     const Surroundings* surroundings = nullptr;
+    // Of these surroundings, drawn if look has a date. If null or empty, the ground is dry and without brooks.
+    const Land* land = nullptr;
     // Powder or dust in the air, in look's colours; valid during the call.
     std::span<const sim::powder::Puff> powder = {};
     float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
@@ -75,6 +78,7 @@ struct FrameInput {
     GroundKind ground_kind() const { return {look.date.has_value(), world.mixture != nullptr}; }
     bool flows() const { return look.flow && flow; }
     bool surrounded() const { return surroundings && !surroundings->empty(); }
+    bool has_land() const { return look.date && surrounded() && land && !land->empty(); }
     bool may_have_trees() const { return marks.overlay == Overlay::kNone; }  // they would hide its values
     bool shows_wet_soil() const { return world.things && look.date && marks.overlay == Overlay::kNone; }
 };

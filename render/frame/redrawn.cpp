@@ -21,6 +21,7 @@ FrameKey frame_key_of(const FrameInput& input, const FrameBlock& block) {
     key.lens = input.lens.has_value();
     if (key.flows) key.pattern = input.look.flow->pattern;
     if (input.surrounded()) key.surroundings = input.surroundings->fingerprint();
+    if (input.has_land()) key.land = input.land->fingerprint;
     return key;
 }
 

@@ -21,13 +21,13 @@ struct FrameKey {
     FrameBlock block;  // without a ring and an outline
     bool flows = false, lines = false, mesh = false, coarse = false, lens = false;
     FlowPattern pattern = {};
-    std::uint64_t surroundings = 0;  // fingerprint; 0: none
+    std::uint64_t surroundings = 0, land = 0;  // fingerprints; 0: none
 
     bool operator==(const FrameKey& other) const {
         const auto bytes = [](const FrameBlock& of) { return std::as_bytes(std::span(&of, 1)); };
         return std::ranges::equal(bytes(block), bytes(other.block)) && flows == other.flows &&
                lines == other.lines && mesh == other.mesh && coarse == other.coarse && lens == other.lens &&
-               pattern == other.pattern && surroundings == other.surroundings;
+               pattern == other.pattern && surroundings == other.surroundings && land == other.land;
     }
 };
 

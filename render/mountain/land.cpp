@@ -295,7 +295,9 @@ Land land_of(const Surroundings& around, int most_along) {
     const Lattice lattice(around);
     LandTexels texels(lattice, most_along);
     for (const std::vector<Bed>& bed : brooks_of(lattice)) texels.add(rounded(bed, 3));
-    return std::move(texels).with({moisture_of(lattice), tilled_of(lattice), rubble_of(lattice)});
+    Land land = std::move(texels).with({moisture_of(lattice), tilled_of(lattice), rubble_of(lattice)});
+    land.fingerprint = around.fingerprint() * 31 + static_cast<std::uint64_t>(land.columns);
+    return land;
 }
 
 }  // namespace render

@@ -23,9 +23,12 @@ struct Land {
     // vertices of the grid.
     int columns = 0, rows = 0;
     std::vector<std::uint8_t> texels;
+    std::uint64_t fingerprint = 0;  // equal for equal lands, else different but for one chance in 2⁶⁴
+
+    bool empty() const { return texels.empty(); }
 };
 
-// Empty for empty surroundings. Takes up to 0.3 s.
+// Empty for empty surroundings. Takes up to 0.3 s, so that no frame waits for it: a world makes it once.
 Land land_of(const Surroundings& around, int most_along = Land::kUsual);
 
 }  // namespace render

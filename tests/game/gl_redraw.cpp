@@ -20,8 +20,7 @@ class Player {
         Overrides overrides;
         overrides.squares = chance(0.5) ? 48 : 80;
         scene_ = load_scene(scene, overrides).value();
-        mountains_ = mountains_around(scene_.scenario);
-        woods_ = woods_on(scene_.scenario, mountains_);
+        backdrop_ = backdrop_of(scene_.scenario);
         LoadedWorld loaded;
         loaded.scene = scene_;
         sandbox_.emplace(Sandbox::begin(std::move(loaded), {}, std::nullopt).value());
@@ -109,10 +108,11 @@ class Player {
                 .width = width_,
                 .height = height_,
                 .first_depth = scene_.scenario.depth,
-                .surroundings = with_mountains_ ? &mountains_ : nullptr,
+                .surroundings = with_mountains_ ? &backdrop_.mountains : nullptr,
+                .land = &backdrop_.land,
                 .powder = session.powder(),
                 .powder_strength = powder_,
-                .woods = with_trees_ ? &woods_ : nullptr,
+                .woods = with_trees_ ? &backdrop_.woods : nullptr,
                 .flow_so_far = session.flow_so_far(),
                 .structures = &session.structures(),
                 .wind = scene_.scenario.wind,
@@ -130,8 +130,7 @@ class Player {
 
     std::mt19937 random_;
     Scene scene_;
-    render::Surroundings mountains_;
-    render::Woods woods_;
+    Backdrop backdrop_;
     std::optional<Sandbox> sandbox_;
     render::Camera camera_;
     render::Light light_;

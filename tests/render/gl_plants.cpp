@@ -14,11 +14,12 @@ class Plants : public Gl {
         const World world = make_world(
             60, 10, [](double x, double y) { return 40 * std::sin(x / 90) * std::cos(y / 75) + 0.2 * y; });
         const Surroundings around = mountains_around(world);
+        const Land land = land_of(around);
         Look look;
         look.date = date;
         FrameInput input{world.view(), from_above({300, 300, 0}, 400), {180, 50}, look};
         input.width = input.height = 128;
-        if (surrounded) input.surroundings = &around;
+        if (surrounded) input.surroundings = &around, input.land = &land;
         EXPECT_TRUE(renderer_->load(look, false));
         renderer_->draw(input);
         return mean_colour(renderer_->read_back(), 64, 64, 60);
