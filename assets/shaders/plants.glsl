@@ -59,7 +59,9 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     float shrubs = smoothstep(0.52, 0.66, 0.55 * d.soft.w + 0.45 * d.clumps.z + 0.35 * (altitude - 0.55) + 0.15 * steep - 0.3 * moist) * rugged * (1.0 - is_tilled);
     grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.050, 0.078, 0.024), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.65 * shrubs);
     // Reeds and sedges where it is wet and level.
-    float reeds = smoothstep(0.72, 0.88, moist) * smoothstep(0.22, 0.12, steep) * (1.0 - is_tilled) * smoothstep(0.35, 0.55, d.clumps.z);
+    float away = LAND_FAR - (LAND_FAR + LAND_NEAR) * here.r;  // m, from the water of a brook
+    float wet = max(smoothstep(0.72, 0.88, moist), smoothstep(5.5, 2.5, away + 3.0 * (d.soft.z - 0.5) * rugged));
+    float reeds = wet * smoothstep(0.22, 0.12, steep) * (1.0 - is_tilled) * smoothstep(0.35, 0.55, d.clumps.z);
     grass = mix(grass, mix(vec3(0.150, 0.120, 0.055), vec3(0.085, 0.105, 0.030), green), 0.75 * reeds);
     vec4 blades = vec4(0.0, 0.0, 0.5, 0.5);
     if (p.footprint < 0.3) blades = mix(blades, detail(p, DETAIL_CLUMPS, p.at.xy, turned(0.643, 0.766, 1.9), 1.9), rugged * clamp(1.5 - 5.0 * p.footprint, 0.0, 1.0));
@@ -80,7 +82,6 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     }
 
     // A brook: water between stones, and deep green beside it.
-    float away = LAND_FAR - (LAND_FAR + LAND_NEAR) * here.r;  // m, from its water
     if (away < 6.0) {
         away += rugged * (2.2 * (d.clumps.z - 0.55) + 1.0 * (d.rock.z - 0.4));
         float blurred = max(0.5 * p.footprint, 0.12);

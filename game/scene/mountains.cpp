@@ -42,10 +42,11 @@ render::Land land_on(const Scenario& scenario, const render::Surroundings& mount
     return scenario.look.date ? render::land_of(mountains, most_along) : render::Land();
 }
 
-render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains) {
+render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains,
+                       const render::Land& land) {
     render::TreeRules rules = scenario.trees;
     rules.mixed = scenario.look.date.has_value();
-    render::Woods woods(mountains, rules, scenario.datum, clearings_of(scenario));
+    render::Woods woods(mountains, rules, scenario.datum, clearings_of(scenario), land);
     if (scenario.woods_act()) woods.let_act();
     return woods;
 }
@@ -62,7 +63,7 @@ std::string woods_notice(const Scenario& scenario, const render::Woods& woods) {
 Backdrop backdrop_of(const Scenario& scenario) {
     Backdrop backdrop{mountains_around(scenario), {}, {}};
     backdrop.land = land_on(scenario, backdrop.mountains);
-    backdrop.woods = woods_on(scenario, backdrop.mountains);
+    backdrop.woods = woods_on(scenario, backdrop.mountains, backdrop.land);
     return backdrop;
 }
 

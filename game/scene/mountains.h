@@ -17,8 +17,10 @@ render::Land land_on(const Scenario& scenario, const render::Surroundings& mount
                      int most_along = render::Land::kUsual);
 
 // The trees on a scenario's ground and on the mountains around it. If they act, the forest of the world's state says which
-// of those on the grid stand; it begins with render::forest_of() them.
-render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains);
+// of those on the grid stand; it begins with render::forest_of() them, which is the same
+// with and without the land.
+render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains,
+                       const render::Land& land = {});
 // A notice if there are fewer than the scenario asks for, or no place for any; else empty.
 std::string woods_notice(const Scenario& scenario, const render::Woods& woods);
 

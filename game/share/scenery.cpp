@@ -33,6 +33,7 @@ Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render:
                  const render::FrameBlock& frame)
     : scenario_(scenario), frame_(frame) {
     if (!scenario.model) around_ = mountains_around(scenario);
+    land_ = land_on(scenario, around_, render::Land::kInPages);
     if (!around_.empty()) frame_.beyond = glm::dvec4(around_.rough_origin(), around_.rough_cell(), 1);
     render::SunSweep sweep;
     sweep.run(first, &around_, frame_);
@@ -49,7 +50,7 @@ Scenery::Scenery(const Scenario& scenario, const sim::View& first, const render:
 
 // Woods and planted forest as the program shows them: none in buildings and on roads.
 void Scenery::find_trees(const sim::View& first) {
-    const render::Woods woods = woods_on(scenario_, around_);
+    const render::Woods woods = woods_on(scenario_, around_, land_);
     render::FollowedWoods followed;
     followed.follow(&woods, &around_, first, scenario_.depth, glm::vec3(frame_.sun), true);
     const render::LitTrees shown = followed.trees();
@@ -84,7 +85,7 @@ void Scenery::pack(PackedStream& into) const {
     into.add("ceiling", ceilings, {0.1, 2, kPlane}, rays_);
     if (around_.empty()) return;
     pack_surroundings(into);
-    if (scenario_.look.date) pack_land(into);
+    if (!land_.empty()) pack_land(into);
     if (has_trees()) pack_woods(into);
     if (render::is_dry_snow(scenario_.look)) pack_ridges(into);
 }
@@ -127,12 +128,11 @@ void Scenery::pack_surroundings(PackedStream& into) const {
 }
 
 void Scenery::pack_land(PackedStream& into) const {
-    const render::Land land = land_on(scenario_, around_, render::Land::kInPages);
     for (std::size_t part = 0; const char* name : {"brook", "moisture", "tilled", "rubble"}) {
         std::vector<std::uint32_t> shares;
-        shares.reserve(land.texels.size() / 4);
-        for (std::size_t i = part++; i < land.texels.size(); i += 4) shares.push_back(land.texels[i]);
-        into.add(std::string("land.") + name, shares, 0, 1, 1, kPlane, land.columns);
+        shares.reserve(land_.texels.size() / 4);
+        for (std::size_t i = part++; i < land_.texels.size(); i += 4) shares.push_back(land_.texels[i]);
+        into.add(std::string("land.") + name, shares, 0, 1, 1, kPlane, land_.columns);
     }
 }
 

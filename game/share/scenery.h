@@ -7,6 +7,7 @@
 #include "game/scene/scenario.h"
 #include "game/share/packed_stream.h"
 #include "render/buildings/structures.h"
+#include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
 #include "render/view/flow_so_far.h"
 #include "render/view/frame_block.h"
@@ -45,6 +46,7 @@ class Scenery {
 
     const Scenario& scenario_;
     render::Surroundings around_;
+    render::Land land_;
     std::vector<render::Tree> trees_;  // at tick 0, tile by tile
     std::vector<render::TreeLight> tree_lights_;
     std::vector<std::uint32_t> tiles_;  // trees of each

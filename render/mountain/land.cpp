@@ -290,12 +290,29 @@ class LandTexels {
 
 }  // namespace
 
+double Land::to_brook(glm::dvec2 at) const {
+    if (empty()) return LAND_FAR;
+    const glm::dvec2 last(columns - 1, rows - 1), texel = glm::clamp(at / size * last, glm::dvec2(0), last);
+    const glm::ivec2 first = glm::min(glm::ivec2(texel), glm::ivec2(last) - 1);
+    const glm::dvec2 within = texel - glm::dvec2(first);
+    const auto nearness = [&](int x, int y) {
+        return static_cast<double>(
+                   texels[4 * (static_cast<std::size_t>(first.y + y) * static_cast<std::size_t>(columns) +
+                               static_cast<std::size_t>(first.x + x))]) /
+               255;
+    };
+    return LAND_FAR - (LAND_FAR + LAND_NEAR) * glm::mix(glm::mix(nearness(0, 0), nearness(1, 0), within.x),
+                                                        glm::mix(nearness(0, 1), nearness(1, 1), within.x),
+                                                        within.y);
+}
+
 Land land_of(const Surroundings& around, int most_along) {
     if (around.empty()) return {};
     const Lattice lattice(around);
     LandTexels texels(lattice, most_along);
     for (const std::vector<Bed>& bed : brooks_of(lattice)) texels.add(rounded(bed, 3));
     Land land = std::move(texels).with({moisture_of(lattice), tilled_of(lattice), rubble_of(lattice)});
+    land.size = around.size();
     land.fingerprint = around.fingerprint() * 31 + static_cast<std::uint64_t>(land.columns);
     return land;
 }

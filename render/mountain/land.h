@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "render/mountain/surroundings.h"
 
 namespace render {
@@ -25,7 +27,11 @@ struct Land {
     std::vector<std::uint8_t> texels;
     std::uint64_t fingerprint = 0;  // equal for equal lands, else different but for one chance in 2⁶⁴
 
+    glm::dvec2 size{0};  // of the grid, m
+
     bool empty() const { return texels.empty(); }
+    // How far the water of a brook is from a place of the grid, m: below 0 in it, LAND_FAR at most, and in an empty land.
+    double to_brook(glm::dvec2 at) const;
 };
 
 // Empty for empty surroundings. Takes up to 0.3 s, so that no frame waits for it: a world makes it once.

@@ -337,7 +337,11 @@ Tree FollowedWoods::other(int x, int y, int number, const World& world) const {
     }
     tree.closed = ramp(kClosedFrom, kClosedAt, static_cast<float>(stems_of(stems)));
     tree.group = 1;
-    tree.kind = chance_of(vertex, number, 6) < 0.06f ? TreeKind::kLarch : TreeKind::kSpruce;
+    const float kind = chance_of(vertex, number, 6);
+    tree.kind = kind < 0.06f ? TreeKind::kLarch : TreeKind::kSpruce;
+    if (world.woods && world.around)
+        tree.kind = world.woods->kind_of_planted(*world.around, glm::dvec2(tree.foot),
+                                                 static_cast<double>(tree.closed), static_cast<double>(kind));
     return tree;
 }
 

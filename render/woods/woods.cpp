@@ -28,6 +28,7 @@ constexpr double kSunk = 0.4;                            // m, so that no foot h
 constexpr double kBushesPerHectare = 600;                // in a closed thicket
 constexpr double kLastBush = 0.25;                       // longer sides, from the grid to the last bush
 constexpr double kLowestBush = 1.9, kTallestBush = 4.4;  // m
+constexpr float kTallerAtBrook = 0.45f;                  // share, of alder
 constexpr int kPlacesPeriod = 1 << 20;                   // places until the hash repeats: more than there are
 
 // −1 to 1, by a lattice of places `wavelength` metres apart.
@@ -65,27 +66,35 @@ class Growth {
         return std::exp2(4 * ramp(0.0, 0.5, sides));
     }
 
-    Site site(glm::dvec2 at) const {
+    // The ground at a place, and how far below the line it lies.
+    Site bare_site(glm::dvec2 at) const {
         Site site;
-        if (around_.away(at) > kLastTree * around_.side() || is_bare(at) || !is_wanted(at)) return site;
-        Ground& ground = site.ground;
-        ground.z = around_.rough_height(at);
-        if (ground.z + datum_ > rules_.line_m) return site;
-        ground = ground_at(at);
+        const Ground& ground = site.ground = ground_at(at);
         const double steep = glm::length(ground.slope), hollow = ground.gully / near_;
         // The line is ragged, higher on ribs and on slopes that face the sun at noon.
         const double sunny = ground.slope.y / std::sqrt(1 + steep * steep);
         const double line = rules_.line_m - 55 + 22 * noise(at, 160, rules_.seed + 3) +
                             30 * std::min(sunny, 0.5) - 350 * std::clamp(hollow, -0.1, 0.1);
         site.below = std::min(line, rules_.line_m - 4) - datum_ - ground.z;
+        site.gully = ramp(0.02, 0.07, hollow);
+        return site;
+    }
+
+    Site site(glm::dvec2 at) const {
+        Site site;
+        if (around_.away(at) > kLastTree * around_.side() || is_bare(at) || !is_wanted(at)) return site;
+        if (around_.rough_height(at) + datum_ > rules_.line_m) return site;
+        site = bare_site(at);
+        const Ground& ground = site.ground;
         if (site.below < 0) return site;
+        const double steep = glm::length(ground.slope), hollow = ground.gully / near_;
         if (!rules_.shares.empty()) {
             site.share = site.closed = wanted_share(at) * ramp(1.0, 0.9, steep) * ramp(0, 12, site.below);
             site.bushy = bushy(at, site, site.share, steep);
             return site;
         }
         const double level = ramp(0.07, 0.17, steep + 0.05 * noise(at, 120, rules_.seed + 2));
-        const double rock = ramp(0.78, 0.98, steep), gully = ramp(0.02, 0.07, hollow);
+        const double rock = ramp(0.78, 0.98, steep), gully = site.gully;
         // Stands: the farther below the line, the more ground they cover.
         const double groves = 0.50 * noise(at, 230, rules_.seed) + 0.30 * noise(at, 88, rules_.seed + 1) +
                               0.20 * noise(at, 34, rules_.seed + 5);
@@ -101,7 +110,6 @@ class Growth {
         site.share =
             glm::mix(single, 0.72 + 0.28 * ramp(-0.6, 0.2, noise(at, 23, rules_.seed + 4)), site.closed);
         site.share *= ramp(0, 12, site.below);
-        site.gully = gully;
         site.bushy = bushy(at, site, near_stand * level * (1 - rock), steep);
         return site;
     }
@@ -133,17 +141,6 @@ class Growth {
         return tree;
     }
 
-  private:
-    // Thickets follow the edges of stands and gullies; under a closed wood there are few, and on rock none.
-    double bushy(glm::dvec2 at, const Site& site, double near_stand, double steep) const {
-        if (!rules_.mixed) return 0;
-        const double clumps =
-            ramp(0.34, 0.62, noise(at, 31, rules_.seed + 8) + 0.40 * noise(at, 11, rules_.seed + 9));
-        const double edge = near_stand * (1 - site.closed) + 0.10 * site.closed;
-        return clumps * std::min(edge + 0.8 * site.gully, 1.0) * ramp(0.90, 0.70, steep) *
-               ramp(0, 25, site.below);
-    }
-
     // By height below the tree line, slope and aspect: from below beech, beech with spruce, spruce with larch, larch with dwarf pine.
     // Birches come first where nothing else grows yet: at edges, in gullies and where these end. A patch has mostly one kind.
     TreeKind kind_in_mixed_wood(glm::dvec2 at, const Site& site, TreeKind winter, double chance) const {
@@ -164,6 +161,17 @@ class Growth {
         const double larch = glm::mix(0.08, 0.62, ramp(260, 30, site.below - 60 * wide_patch)) +
                              0.25 * open * ramp(420, 200, site.below) + 0.25 * std::clamp(sunny, -0.4, 0.4);
         return random(331) < larch ? TreeKind::kLarch : TreeKind::kSpruce;
+    }
+
+  private:
+    // Thickets follow the edges of stands and gullies; under a closed wood there are few, and on rock none.
+    double bushy(glm::dvec2 at, const Site& site, double near_stand, double steep) const {
+        if (!rules_.mixed) return 0;
+        const double clumps =
+            ramp(0.34, 0.62, noise(at, 31, rules_.seed + 8) + 0.40 * noise(at, 11, rules_.seed + 9));
+        const double edge = near_stand * (1 - site.closed) + 0.10 * site.closed;
+        return clumps * std::min(edge + 0.8 * site.gully, 1.0) * ramp(0.90, 0.70, steep) *
+               ramp(0, 25, site.below);
     }
 
     // Dwarf pine and larches grow near the line.
@@ -244,6 +252,34 @@ bool is_cleared(glm::dvec2 at, std::span<const Clearing> clearings) {
     });
 }
 
+// Where the ground is left to plants, by the land of a mixed wood.
+class FreeGround {
+  public:
+    FreeGround(const Surroundings& around, const Land& land) : around_(around), land_(land) {}
+
+    double to_brook(glm::dvec2 at) const { return land_.to_brook(around_.source(at)); }  // m, as Land
+    bool is_free(glm::dvec2 at) const { return land_.empty() || to_brook(at) > kFromWater; }
+    // The nearest free place, in rings around a place; the place itself if none is near.
+    glm::dvec2 nearest(glm::dvec2 at, float turn) const {
+        if (is_free(at)) return at;
+        const bool outside = around_.away(at) > 0;
+        for (double reach = kRing; reach <= kFarthest; reach += kRing)
+            for (int i = 0; i < kDirections; ++i) {
+                const float share = turn + static_cast<float>(i) / kDirections;
+                const glm::dvec2 beside = at + reach * glm::dvec2(direction_of(share - std::floor(share)));
+                if (is_free(beside) && (around_.away(beside) > 0) == outside) return beside;
+            }
+        return at;
+    }
+
+  private:
+    static constexpr double kFromWater = 1, kRing = 1.5, kFarthest = 18;  // m
+    static constexpr int kDirections = 12;
+
+    const Surroundings& around_;
+    const Land& land_;
+};
+
 // The height of triangle abc at a place within it.
 std::optional<float> height_in(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, glm::vec2 at) {
     const glm::vec2 ab = glm::vec2(b - a), ac = glm::vec2(c - a), ap = at - glm::vec2(a);
@@ -278,9 +314,20 @@ void put_on_ground(const Surroundings& around, glm::dvec2 at, const Site& site, 
     tree.vertex = outside ? -1 : vertex;
 }
 
+// Moves a tree out of what is not left to plants. It counts where it grew.
+void move_to_free_ground(const Surroundings& around, const FreeGround& free, Tree& tree) {
+    const glm::dvec2 grew(tree.foot), stands = free.nearest(grew, tree.chance);
+    if (stands != grew) tree.foot = glm::dvec3(stands, around.rough_height(stands) - kSunk);
+}
+
+// How close to a thicket of alder and willow a bank is, 0 to 1.
+double thicket_at_brook(glm::dvec2 at, double to_brook, std::uint32_t seed) {
+    return ramp(8, 2.5, to_brook) * ramp(-0.35, 0.25, noise(at, 27, seed + 10));
+}
+
 // Bushes of a mixed wood, one place in each square of a finer lattice.
-std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, std::uint32_t seed,
-                            std::span<const Clearing> clearings) {
+std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, const FreeGround& free,
+                            std::uint32_t seed, std::span<const Clearing> clearings) {
     const double reach = kLastBush * around.side();
     const glm::dvec2 span = around.size() + 2 * reach;
     const double spacing =
@@ -296,8 +343,12 @@ std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, st
             const glm::dvec2 at = spacing * (glm::dvec2(x, y) + glm::dvec2(own(x, y, 8), own(x, y, 9)));
             if (around.away(at) > reach) continue;
             const Site site = growth.site(at);
-            if (static_cast<double>(own(x, y, 10)) >= site.bushy || is_cleared(at, clearings)) continue;
+            const double bank =
+                site.below > 0 ? thicket_at_brook(at, free.to_brook(at), seed) * ramp(0, 25, site.below) : 0;
+            if (static_cast<double>(own(x, y, 10)) >= std::max(site.bushy, bank)) continue;
+            if (!free.is_free(at) || is_cleared(at, clearings)) continue;
             Tree tree = growth.bush(site, own(x, y, 11));
+            tree.height *= 1 + kTallerAtBrook * static_cast<float>(bank);
             tree.group = 1;
             tree.chance = own(x, y, 12);
             put_on_ground(around, at, site, tree);
@@ -356,7 +407,9 @@ float radius_of(TreeKind kind) {
 }
 
 Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
-             std::span<const Clearing> clearings) {
+             std::span<const Clearing> clearings, const Land& land)
+    : planted_{.line_m = rules.line_m, .seed = rules.seed, .mixed = rules.mixed}, datum_(datum) {
+    if (rules.mixed) fingerprint_ = mixed(1, rules.seed);
     if (around.empty() || rules.density <= 0) return;
     CHECK(rules.shares.empty() || rules.shares.size() == around.cover().size());
     const double reach = kLastTree * around.side();
@@ -364,6 +417,7 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     const double wanted = 100 / std::sqrt(rules.density);  // m between two places
     const double spacing = std::max(wanted, std::sqrt(span.x * span.y / kMostPlaces));
     const Growth growth(around, rules, datum);
+    const FreeGround free(around, land);
     const auto own = [&](int x, int y, std::uint32_t kind) {
         return hash(x, y, kPlacesPeriod, 16 * rules.seed + kind);
     };
@@ -405,14 +459,15 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
         trees.push_back(each.tree);
         trees.back().group = std::min(trees.back().group * together, kMostTogether);
         trees.back().snow_near = snow_near(around, glm::dvec2(each.tree.foot));
+        move_to_free_ground(around, free, trees.back());
     }
     const double tile_m = around.side() / kTilesAlongSide;
     sort_into_tiles(tile_m, trees);
     // Bushes have tiles of their own, because fewer of them are seen from afar.
-    if (rules.mixed) sort_into_tiles(tile_m, bushes_of(around, growth, rules.seed, clearings));
+    if (rules.mixed) sort_into_tiles(tile_m, bushes_of(around, growth, free, rules.seed, clearings));
     put_on_mesh(around);
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);
-    if (rules.mixed) fingerprint_ = mixed(fingerprint_, 1);
+    if (rules.mixed) fingerprint_ = mixed(mixed(fingerprint_, 1), land.fingerprint);
     for (const Clearing& each : clearings)
         for (const double number : {each.from.x, each.from.y, each.to.x, each.to.y, each.reach})
             fingerprint_ = mixed(fingerprint_, std::hash<double>()(number));
@@ -422,6 +477,15 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
         fingerprint_ =
             mixed(mixed(fingerprint_, std::hash<double>()(corner.x)), std::hash<double>()(corner.y));
     for (const std::uint8_t share : rules.shares) fingerprint_ = mixed(fingerprint_, share);
+}
+
+TreeKind Woods::kind_of_planted(const Surroundings& around, glm::dvec2 at, double closed,
+                                double chance) const {
+    if (!planted_.mixed || around.empty()) return chance < 0.06 ? TreeKind::kLarch : TreeKind::kSpruce;
+    const Growth growth(around, planted_, datum_);
+    Site site = growth.bare_site(at);
+    site.closed = closed;
+    return growth.kind_in_mixed_wood(at, site, TreeKind::kSpruce, chance);
 }
 
 void Woods::let_act() {

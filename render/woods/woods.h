@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
 #include "sim/world/things.h"
 
@@ -89,7 +90,8 @@ struct TreeTile {
 // edges on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and
 // follow ribs; single trees and dwarf pine are between them. In gullies, where avalanches run, only some
 // trees stand. Of mixed woods broad-leaved trees are low and on gentle ground, larches high, and birches and bushes where the wood is
-// open. A view: nothing else knows of them, unless they act.
+// open. Along brooks are thickets, and a tree whose place is in a brook stands beside it, but counts where it grew. A view:
+// nothing else knows of them, unless they act.
 //
 // A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around
 // it are equal on one machine, as Surroundings are.
@@ -102,9 +104,10 @@ class Woods {
 
     // None.
     Woods() = default;
-    // `datum`: height of shaders' z = 0 above the terrain's zero, m. Without surroundings there are no trees.
+    // `datum`: height of shaders' z = 0 above the terrain's zero, m. Without surroundings there are no trees. `land`: of these
+    // surroundings, for mixed woods.
     Woods(const Surroundings& around, const TreeRules& rules, double datum,
-          std::span<const Clearing> clearings = {});
+          std::span<const Clearing> clearings = {}, const Land& land = {});
 
     // From now on those on the grid are those of the forest in a world's state, which begins with forest_of() them. Else
     // they are a view, and any forest is shown besides.
@@ -119,6 +122,9 @@ class Woods {
     std::span<const TreeTile> tiles() const&& = delete;
     // How many trees the rules ask for: more than there are, if those are too many.
     double asked() const { return asked_; }
+    // Which kind a planted tree of the grid is: that of the woods' own at its place, if they are mixed. `closed` and `chance`:
+    // those of the tree.
+    TreeKind kind_of_planted(const Surroundings& around, glm::dvec2 at, double closed, double chance) const;
     // Equal for equal woods, else different but for one chance in 2⁶⁴.
     std::uint64_t fingerprint() const { return fingerprint_; }
 
@@ -128,6 +134,8 @@ class Woods {
 
     std::vector<Tree> trees_;
     std::vector<TreeTile> tiles_;
+    TreeRules planted_;  // without polygon and shares
+    double datum_ = 0;
     double asked_ = 0;
     std::uint64_t fingerprint_ = 0;
     bool act_ = false;

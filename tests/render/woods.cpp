@@ -249,6 +249,47 @@ TEST_F(MixedWood, has_the_trees_of_a_winter_and_the_same_forest_and_bushes_besid
     EXPECT_TRUE(forest_of(mixed, world.grid) == forest_of(winter, world.grid));
 }
 
+// A hollow down the mountain, with a brook from its middle on.
+TEST_F(MixedWood, keeps_out_of_brooks_and_has_thickets_beside_them) {
+    world = make_world(100, 10, [](double x, double y) { return 0.35 * y + 0.15 * std::abs(x - 500); });
+    const Surroundings around = mountains_around(world);
+    const Land land = land_of(around);
+    TreeRules rules{.density = 600, .line_m = 640, .seed = 7};
+    rules.mixed = true;
+    const Woods dry(around, rules, 0), wet(around, rules, 0, {}, land);
+    const auto in_brooks = [&](const Woods& woods) {
+        return std::ranges::count_if(woods.trees(), [&](const Tree& tree) {
+            return land.to_brook(around.source(glm::dvec2(tree.foot))) < 0.5;
+        });
+    };
+    const auto on_banks = [&](const Woods& woods) {
+        return std::ranges::count_if(woods.trees(), [&](const Tree& tree) {
+            const double away = land.to_brook(around.source(glm::dvec2(tree.foot)));
+            return tree.kind == TreeKind::kBush && away > 1 && away < 5;
+        });
+    };
+    EXPECT_GT(in_brooks(dry), 3);
+    EXPECT_EQ(in_brooks(wet), 0);
+    EXPECT_GT(on_banks(wet), 2 * on_banks(dry) + 20);
+    EXPECT_NE(dry.fingerprint(), wet.fingerprint());
+    EXPECT_TRUE(forest_of(dry, world.grid) == forest_of(wet, world.grid));
+}
+
+TEST_F(MixedWood, is_planted_with_the_kinds_that_grow_there) {
+    const Surroundings around = mountains_around(world);
+    const Woods winter = woods(false), mixed = woods(true);
+    int low = 0, high = 0, of_winter = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double chance = (i + 0.5) / 400, x = 200 + i;
+        low += mixed.kind_of_planted(around, {x, 200}, 1, chance) == TreeKind::kBeech;
+        high += mixed.kind_of_planted(around, {x, 950}, 1, chance) == TreeKind::kBeech;
+        of_winter += winter.kind_of_planted(around, {x, 200}, 1, chance) <= TreeKind::kLarch;
+    }
+    EXPECT_GT(low, 150);
+    EXPECT_EQ(high, 0);
+    EXPECT_EQ(of_winter, 400);
+}
+
 TEST_F(MixedWood, is_broad_leaved_low_mixed_between_and_of_conifers_at_the_line) {
     enum Belt { kLow, kBetween, kHigh, kBelts };
     std::array<std::array<int, 6>, kBelts> count{};
