@@ -1,5 +1,5 @@
 // Plants and water on ground that nothing has touched, where a date says how far plants are (frame.season).
-layout(binding = SLOT_LAND) uniform sampler2D land;  // render/mountain/land.h: brook, moisture, tilled, rubble
+layout(binding = SLOT_LAND) uniform sampler2D land;  // render/mountain/land.h: brook, moisture, use, rubble
 
 // The land at a place of the grid, cells.
 vec4 land_at(vec2 cell) {
@@ -7,22 +7,73 @@ vec4 land_at(vec2 cell) {
     return textureLod(land, (cell / vec2(frame.size.xy - 1) * (texels - 1.0) + 0.5) / texels, 0.0);
 }
 
-// Meadows that are cut at different times, and fields: strips along a valley, each in a tone of its own.
-vec3 tilled(vec3 grass, Place p, Detail d, vec4 fine) {
-    vec2 at = mat2(0.961, -0.276, 0.276, 0.961) * p.at.xy + 5.0 * (d.broad.zw - 0.5);
-    float row = floor(at.y / 78.0);
-    vec2 strip = vec2(at.x / (24.0 + 22.0 * of_corner(ivec2(int(row), 7))) + 17.3 * row, at.y / 78.0);
-    vec2 within = abs(fract(strip) - 0.5) * vec2(34.0, 78.0);
-    float own = of_corner(ivec2(floor(strip))), other = fract(37.0 * own);
-    vec3 tone = own < 0.30 ? vec3(1.30, 1.15, 0.90)      // cut some days ago
-                : own < 0.42 ? vec3(1.90, 1.40, 1.40)    // hay
-                : own < 0.75 ? vec3(0.86, 0.90, 0.80)    // high grass
-                             : vec3(1.05, 1.02, 0.95);
-    float rows = 0.5 + 0.5 * sin(at.x * (6.2832 / 3.4));
-    float seen = clamp(1.2 - p.footprint * 1.6, 0.0, 1.0) * smoothstep(0.35, 0.25, abs(other - 0.5) - 0.1);
-    tone *= 1.0 + (own < 0.45 ? 0.16 : 0.05) * (rows - 0.5) * seen;
-    float border = smoothstep(0.6, 0.2, min(17.0 - within.x, 39.0 - within.y)) * clamp(1.2 - p.footprint * 1.2, 0.0, 1.0) * smoothstep(0.40, 0.65, d.soft.z + 0.3 * own);
-    return mix(grass * mix(vec3(1.0), tone, 0.75 * frame.haze.w), grass * vec3(0.70, 0.78, 0.66), border);
+// How people use a place, as shares, from the four texels around it.
+struct Use {
+    float field;    // of fields
+    float within;   // of the field that covers most of it: 1 within, 0.5 at its edge
+    float crop;     // of that field, 0 to 1; see LAND_CROPS
+    vec2 along;     // its direction
+    float garden, verge, path;
+};
+Use use_at(vec2 cell) {
+    ivec2 last = textureSize(land, 0) - 1;
+    vec2 texel = cell / vec2(frame.size.xy - 1) * vec2(last);
+    ivec2 first = clamp(ivec2(floor(texel)), ivec2(0), max(last - 1, ivec2(0)));
+    vec2 t = clamp(texel - vec2(first), 0.0, 1.0);
+    vec4 uses = round(255.0 * vec4(texelFetch(land, first, 0).b, texelFetch(land, min(first + ivec2(1, 0), last), 0).b,
+                                   texelFetch(land, min(first + ivec2(0, 1), last), 0).b, texelFetch(land, min(first + 1, last), 0).b));
+    vec4 weights = vec4((1.0 - t.x) * (1.0 - t.y), t.x * (1.0 - t.y), (1.0 - t.x) * t.y, t.x * t.y);
+    vec4 fields = weights * step(float(LAND_FIELD), uses) * step(uses, vec4(float(LAND_GARDEN) - 0.5));
+    Use use = Use(dot(fields, vec4(1.0)), 0.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
+    float code = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        float share = dot(fields, vec4(equal(uses, vec4(uses[i]))));
+        if (share > use.within) use.within = share, code = uses[i] - float(LAND_FIELD);
+    }
+    float turn = 3.14159265 / float(LAND_DIRECTIONS) * mod(code, float(LAND_DIRECTIONS));
+    use.along = vec2(cos(turn), sin(turn));
+    use.crop = (floor(code / float(LAND_DIRECTIONS)) + 0.5) / float(LAND_CROPS);
+    use.garden = dot(weights, vec4(equal(uses, vec4(float(LAND_GARDEN)))));
+    use.verge = dot(weights, vec4(equal(uses, vec4(float(LAND_VERGE)))));
+    use.path = dot(weights, vec4(equal(uses, vec4(float(LAND_PATH)))));
+    return use;
+}
+
+// Meadows that are cut at different times, grain, and some ploughed land, in rows along the field.
+vec3 field_of(vec3 grass, Use use, Place p, Detail d) {
+    float crop = use.crop, near = clamp(1.2 - p.footprint * 1.6, 0.0, 1.0), green = frame.season.x;
+    vec3 tone = crop < 0.30 ? vec3(1.30, 1.15, 0.92)      // cut some days ago
+                : crop < 0.40 ? vec3(1.75, 1.36, 1.35)    // hay
+                : crop < 0.62 ? vec3(0.84, 0.90, 0.76)    // high grass
+                : crop < 0.86 ? vec3(1.06, 1.03, 0.95)    // a meadow
+                              : vec3(1.0);
+    vec3 field = grass * tone;
+    float across = dot(p.at.xy, vec2(-use.along.y, use.along.x)) + 0.6 * (d.soft.z - 0.5), strong = crop < 0.40 ? 0.16 : 0.05;
+    if (crop > 0.86) {  // grain, ripe in August and stubble then; or ploughed, with green rows
+        bool grain = crop < 0.95;
+        field = mix(field, grain ? vec3(0.300, 0.255, 0.085) : vec3(0.105, 0.072, 0.044), grain ? 0.62 : 0.55 + 0.35 * (1.0 - green));
+        strong = grain ? 0.10 : 0.45;
+    }
+    float rows = 0.5 + 0.5 * sin(across * (6.2832 / (crop > 0.95 ? 1.3 : 3.2)));
+    field *= 1.0 + strong * (rows - 0.5) * (crop > 0.95 ? clamp(1.4 - p.footprint * 3.2, 0.0, 1.0) : near);
+    // What no scythe reaches.
+    float edge = smoothstep(0.96, 0.66, use.within) * clamp(1.3 - 0.5 * p.footprint, 0.0, 1.0);
+    return mix(mix(grass, field, frame.haze.w), grass * vec3(0.70, 0.78, 0.64), edge * (0.55 + 0.45 * d.clumps.z));
+}
+
+// Beds of a garden: soil, with plants of a kind in each row.
+vec3 garden_at(vec3 grass, Place p, Detail d) {
+    vec2 at = mat2(0.94, -0.34, 0.34, 0.94) * p.at.xy / vec2(1.9, 0.85);
+    float own = of_corner(ivec2(floor(at))), other = fract(57.0 * own);
+    vec3 plant = mix(grass, own < 0.25 ? vec3(0.060, 0.130, 0.050) : own < 0.50 ? vec3(0.150, 0.210, 0.060) : own < 0.62 ? vec3(0.300, 0.070, 0.090) : vec3(0.080, 0.150, 0.035), 0.8 * frame.season.x);
+    float row = smoothstep(0.46, 0.26, abs(fract(at.y) - 0.5)) * step(0.2, other) * (0.6 + 0.4 * d.clumps.z);
+    return mix(vec3(0.085, 0.058, 0.036) * (0.8 + 0.4 * d.clumps.z), plant, mix(row, 0.6, smoothstep(0.2, 0.8, p.footprint)));
+}
+
+// Trodden earth with some gravel; grass is left in the middle of it.
+vec3 trodden(vec3 grass, Detail d, float worn) {
+    vec3 earth = mix(vec3(0.150, 0.112, 0.072), vec3(0.210, 0.185, 0.150), d.rock.z) * (0.75 + 0.5 * d.clumps.z);
+    return mix(grass, earth, worn);
 }
 
 // Flowers near the eye, and their shimmer from afar.
@@ -53,8 +104,10 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
 
     vec3 straw = (frame.turf.w > 0.0 ? frame.turf.rgb : frame.meadow.rgb) * 0.95;
     vec3 grass = mix(straw, mix(vec3(0.078, 0.150, 0.026), vec3(0.170, 0.185, 0.045), dry), green);
-    float is_tilled = smoothstep(0.35, 0.65, here.b + rugged * 0.25 * (d.soft.z - 0.5));
-    grass = mix(grass, tilled(mix(grass, 1.15 * grass, is_tilled), p, d, fine), is_tilled);
+    Use use = Use(0.0, 0.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
+    if (here.b > 0.0) use = use_at(p.source);
+    float is_tilled = smoothstep(0.3, 0.7, use.field + use.garden);
+    if (use.within > 0.0) grass = mix(grass, field_of(1.12 * grass, use, p, d), smoothstep(0.3, 0.7, use.field));
     // Dwarf shrubs higher up: dark, rust in autumn.
     float shrubs = smoothstep(0.52, 0.66, 0.55 * d.soft.w + 0.45 * d.clumps.z + 0.35 * (altitude - 0.55) + 0.15 * steep - 0.3 * moist) * rugged * (1.0 - is_tilled);
     grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.050, 0.078, 0.024), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.65 * shrubs);
@@ -73,6 +126,16 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     grass = mix(grass * tufts, vec3(0.105, 0.080, 0.050), 0.45 * steps * tread);
     Skin skin = Skin(grass, 0.18 * d.soft.xy + (0.10 + 0.35 * shrubs) * d.clumps.xy * (1.0 - is_tilled) + (0.34 - 0.16 * is_tilled) * fine.xy + 0.25 * blades.xy + 0.5 * steps * (0.5 - tread) * p.slope,
                      0.70 + 0.25 * d.soft.z + 0.30 * d.clumps.z - 0.15 * shrubs, 0.0);
+
+    // Gardens, the worn edges of roads, and paths.
+    if (use.garden + use.verge + use.path > 0.0) {
+        skin.albedo = mix(skin.albedo, garden_at(grass, p, d), smoothstep(0.35, 0.65, use.garden));
+        float worn = smoothstep(0.30, 0.75, use.path + 0.35 * (d.clumps.z - 0.5)), beside = 0.85 * smoothstep(0.0, 0.3, use.verge) * smoothstep(0.25, 0.90, use.verge + 0.8 * (d.clumps.z - 0.55) + 0.5 * (d.soft.z - 0.5));
+        worn = max(worn, beside);
+        skin.albedo = trodden(skin.albedo, d, worn);
+        skin.rise *= 1.0 - 0.6 * worn;
+        skin.open = mix(skin.open, 1.0, 0.8 * worn);
+    }
 
     // Stones under rock.
     float stones = smoothstep(0.35, 0.6, here.a * smoothstep(0.30, 0.50, steep) + rugged * (0.5 * (d.clumps.z - 0.55) + 0.35 * (d.rock.z - 0.4)));

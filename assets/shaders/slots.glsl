@@ -154,6 +154,15 @@
 #define LAND_NEAR 4.0
 #define LAND_FAR 28.0
 
+// How people use ground, 0 to 255 in a texel of the land: not, as a field, or as follows. A field has a crop of LAND_CROPS and a
+// direction of LAND_DIRECTIONS of half a turn, counterclockwise from east: LAND_FIELD + LAND_DIRECTIONS * crop + direction.
+#define LAND_FIELD 1
+#define LAND_DIRECTIONS 16
+#define LAND_CROPS 15
+#define LAND_GARDEN 252
+#define LAND_VERGE 253
+#define LAND_PATH 254
+
 // Layers of the detail texture
 #define DETAIL_SOFT 0
 #define DETAIL_ROCK 1

@@ -166,7 +166,7 @@ class Picture {
     // What plants and water find on the ground; nothing without a date.
     landTexture() {
         const {gl, gpu, slide, slots} = this;
-        const parts = ['brook', 'moisture', 'tilled', 'rubble'].map(part => slide.array('land.' + part));
+        const parts = ['brook', 'moisture', 'use', 'rubble'].map(part => slide.array('land.' + part));
         const [width, height] = slide.info.arrays['land.brook']?.size ?? [1, 1], texels = new Uint8Array(4 * width * height);
         parts.forEach((part, channel) => part?.forEach((share, i) => texels[4 * i + channel] = share));
         return gpu.texture(slots.SLOT_LAND, gl.RGBA8, width, height, gl.LINEAR, texels);

@@ -1,10 +1,12 @@
 #include "game/scene/mountains.h"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace game {
 
@@ -36,10 +38,24 @@ std::vector<render::Clearing> clearings_of(const Scenario& scenario) {
     return clearings;
 }
 
+render::Settlement settlement_of(const Scenario& scenario) {
+    render::Settlement settlement;
+    for (const sim::Command& each : scenario.standing.placed) {
+        const glm::dvec2 at(each.x, each.y);
+        const double turn = glm::radians(each.turn);
+        if (each.kind == sim::CommandKind::kHouse)
+            settlement.houses.push_back({at, {std::sin(turn), std::cos(turn)}, each.length, each.width});
+        if (each.kind == sim::CommandKind::kRoad && (each.to_x != each.x || each.to_y != each.y))
+            settlement.roads.push_back({at, {each.to_x, each.to_y}, each.width});
+    }
+    return settlement;
+}
+
 }  // namespace
 
 render::Land land_on(const Scenario& scenario, const render::Surroundings& mountains, int most_along) {
-    return scenario.look.date ? render::land_of(mountains, most_along) : render::Land();
+    if (!scenario.look.date) return {};
+    return render::land_of(mountains, settlement_of(scenario), most_along);
 }
 
 render::Woods woods_on(const Scenario& scenario, const render::Surroundings& mountains,

@@ -128,7 +128,7 @@ void Scenery::pack_surroundings(PackedStream& into) const {
 }
 
 void Scenery::pack_land(PackedStream& into) const {
-    for (std::size_t part = 0; const char* name : {"brook", "moisture", "tilled", "rubble"}) {
+    for (std::size_t part = 0; const char* name : {"brook", "moisture", "use", "rubble"}) {
         std::vector<std::uint32_t> shares;
         shares.reserve(land_.texels.size() / 4);
         for (std::size_t i = part++; i < land_.texels.size(); i += 4) shares.push_back(land_.texels[i]);

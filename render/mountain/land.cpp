@@ -1,7 +1,6 @@
 #include "render/mountain/land.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -237,15 +236,28 @@ class LandTexels {
         for (std::size_t i = 0; i + 1 < bed.size(); ++i) add(bed[i], bed[i + 1]);
     }
 
-    Land with(const std::array<std::vector<double>, 3>& fields) && {
+    // The texels as cultivate() needs them.
+    TexelGrid grid() const { return {land_.columns, land_.rows, spacing_}; }
+    const std::vector<float>& to_brook() const { return away_; }
+    std::vector<float> at_texels(const std::vector<double>& field) const {
+        std::vector<float> values;
+        values.reserve(away_.size());
+        for (int y = 0; y < land_.rows; ++y)
+            for (int x = 0; x < land_.columns; ++x)
+                values.push_back(static_cast<float>(between(field, x, y)));
+        return values;
+    }
+
+    Land with(const std::vector<double>& moisture, const Cultivation& cultivation,
+              const std::vector<double>& rubble) && {
         land_.texels.reserve(4 * away_.size());
         for (int y = 0; y < land_.rows; ++y)
             for (int x = 0; x < land_.columns; ++x) {
-                const double away =
-                    away_[static_cast<std::size_t>(y) * static_cast<std::size_t>(land_.columns) +
-                          static_cast<std::size_t>(x)];
-                put((LAND_FAR - away) / (LAND_FAR + LAND_NEAR));
-                for (const std::vector<double>& field : fields) put(between(field, x, y));
+                const std::size_t i = grid().at(x, y);
+                put((LAND_FAR - static_cast<double>(away_[i])) / (LAND_FAR + LAND_NEAR));
+                put(between(moisture, x, y));
+                land_.texels.push_back(cultivation.uses[i]);
+                put(between(rubble, x, y));
             }
         return std::move(land_);
     }
@@ -306,14 +318,28 @@ double Land::to_brook(glm::dvec2 at) const {
                                                         within.y);
 }
 
-Land land_of(const Surroundings& around, int most_along) {
+std::uint8_t Land::use(glm::dvec2 at) const {
+    if (empty()) return 0;
+    const glm::dvec2 last(columns - 1, rows - 1);
+    const glm::ivec2 texel(glm::round(glm::clamp(at / size * last, glm::dvec2(0), last)));
+    return texels[4 * (static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(columns) +
+                       static_cast<std::size_t>(texel.x)) +
+                  2];
+}
+
+Land land_of(const Surroundings& around, const Settlement& settlement, int most_along) {
     if (around.empty()) return {};
     const Lattice lattice(around);
     LandTexels texels(lattice, most_along);
     for (const std::vector<Bed>& bed : brooks_of(lattice)) texels.add(rounded(bed, 3));
-    Land land = std::move(texels).with({moisture_of(lattice), tilled_of(lattice), rubble_of(lattice)});
+    Cultivation cultivation =
+        cultivate(around, settlement, texels.grid(), texels.at_texels(tilled_of(lattice)), texels.to_brook());
+    Land land = std::move(texels).with(moisture_of(lattice), cultivation, rubble_of(lattice));
+    land.planted = std::move(cultivation.planted);
     land.size = around.size();
-    land.fingerprint = around.fingerprint() * 31 + static_cast<std::uint64_t>(land.columns);
+    land.fingerprint = around.fingerprint() + static_cast<std::uint64_t>(land.columns);
+    for (std::size_t i = 2; i < land.texels.size(); i += 4)
+        land.fingerprint = (land.fingerprint ^ land.texels[i]) * 0x100000001b3u;
     return land;
 }
 

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "assets/shaders/slots.glsl"
 #include "render/base/noise.h"
 #include "render/base/ramp.h"
 #include "render/base/tree_model.h"
@@ -22,14 +23,17 @@ namespace {
 constexpr double kMostPlaces = 2'500'000;  // that are looked at, half a second
 constexpr double kLastTree = 1.4;          // longer sides, from the grid to the last tree
 constexpr double kTilesAlongSide = 24;
-constexpr double kShortest = 9, kTallest = 23;           // m, of full-grown trees
-constexpr double kLeastPine = 1.2, kMostPine = 2.6;      // m, heights of dwarf pine
-constexpr double kSunk = 0.4;                            // m, so that no foot hangs over a slope
-constexpr double kBushesPerHectare = 600;                // in a closed thicket
-constexpr double kLastBush = 0.25;                       // longer sides, from the grid to the last bush
-constexpr double kLowestBush = 1.9, kTallestBush = 4.4;  // m
-constexpr float kTallerAtBrook = 0.45f;                  // share, of alder
-constexpr int kPlacesPeriod = 1 << 20;                   // places until the hash repeats: more than there are
+constexpr double kShortest = 9, kTallest = 23;              // m, of full-grown trees
+constexpr double kLeastPine = 1.2, kMostPine = 2.6;         // m, heights of dwarf pine
+constexpr double kSunk = 0.4;                               // m, so that no foot hangs over a slope
+constexpr double kBushesPerHectare = 600;                   // in a closed thicket
+constexpr double kLastBush = 0.25;                          // longer sides, from the grid to the last bush
+constexpr double kLowestBush = 1.9, kTallestBush = 4.4;     // m
+constexpr float kLowestHedge = 1.6f, kTallestHedge = 3.4f;  // m
+constexpr float kLowestFruitTree = 3.6f, kTallestFruitTree = 5.6f;  // m
+constexpr float kLowestHedgeTree = 7, kTallestHedgeTree = 12;       // m
+constexpr float kTallerAtBrook = 0.45f;                             // share, of alder
+constexpr int kPlacesPeriod = 1 << 20;  // places until the hash repeats: more than there are
 
 // −1 to 1, by a lattice of places `wavelength` metres apart.
 double noise(glm::dvec2 at, double wavelength, std::uint32_t seed) {
@@ -258,22 +262,35 @@ class FreeGround {
     FreeGround(const Surroundings& around, const Land& land) : around_(around), land_(land) {}
 
     double to_brook(glm::dvec2 at) const { return land_.to_brook(around_.source(at)); }  // m, as Land
-    bool is_free(glm::dvec2 at) const { return land_.empty() || to_brook(at) > kFromWater; }
+    // `closed`: how closed the wood is around it. A field is free only at its edges, and where it is woodland.
+    bool is_free(glm::dvec2 at, double closed) const {
+        if (land_.empty()) return true;
+        if (to_brook(at) < kFromWater) return false;
+        const int use = land_.use(around_.source(at));
+        return use == 0 || (use < LAND_GARDEN && (closed > 0.5 || is_edge(at, use)));
+    }
     // The nearest free place, in rings around a place; the place itself if none is near.
-    glm::dvec2 nearest(glm::dvec2 at, float turn) const {
-        if (is_free(at)) return at;
+    glm::dvec2 nearest(glm::dvec2 at, double closed, float turn) const {
+        if (is_free(at, closed)) return at;
         const bool outside = around_.away(at) > 0;
         for (double reach = kRing; reach <= kFarthest; reach += kRing)
             for (int i = 0; i < kDirections; ++i) {
                 const float share = turn + static_cast<float>(i) / kDirections;
                 const glm::dvec2 beside = at + reach * glm::dvec2(direction_of(share - std::floor(share)));
-                if (is_free(beside) && (around_.away(beside) > 0) == outside) return beside;
+                if (is_free(beside, closed) && (around_.away(beside) > 0) == outside) return beside;
             }
         return at;
     }
 
   private:
-    static constexpr double kFromWater = 1, kRing = 1.5, kFarthest = 18;  // m
+    static constexpr double kFromWater = 1, kEdge = 2.5, kRing = 1.5, kFarthest = 18;  // m
+
+    bool is_edge(glm::dvec2 at, int use) const {
+        const auto differs = [&](double x, double y) {
+            return land_.use(around_.source(at + glm::dvec2(x, y))) != use;
+        };
+        return differs(kEdge, 0) || differs(-kEdge, 0) || differs(0, kEdge) || differs(0, -kEdge);
+    }
     static constexpr int kDirections = 12;
 
     const Surroundings& around_;
@@ -316,7 +333,8 @@ void put_on_ground(const Surroundings& around, glm::dvec2 at, const Site& site, 
 
 // Moves a tree out of what is not left to plants. It counts where it grew.
 void move_to_free_ground(const Surroundings& around, const FreeGround& free, Tree& tree) {
-    const glm::dvec2 grew(tree.foot), stands = free.nearest(grew, tree.chance);
+    const glm::dvec2 grew(tree.foot),
+        stands = free.nearest(grew, static_cast<double>(tree.closed), tree.chance);
     if (stands != grew) tree.foot = glm::dvec3(stands, around.rough_height(stands) - kSunk);
 }
 
@@ -346,7 +364,7 @@ std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, co
             const double bank =
                 site.below > 0 ? thicket_at_brook(at, free.to_brook(at), seed) * ramp(0, 25, site.below) : 0;
             if (static_cast<double>(own(x, y, 10)) >= std::max(site.bushy, bank)) continue;
-            if (!free.is_free(at) || is_cleared(at, clearings)) continue;
+            if (!free.is_free(at, site.closed) || is_cleared(at, clearings)) continue;
             Tree tree = growth.bush(site, own(x, y, 11));
             tree.height *= 1 + kTallerAtBrook * static_cast<float>(bank);
             tree.group = 1;
@@ -361,6 +379,40 @@ std::vector<Tree> bushes_of(const Surroundings& around, const Growth& growth, co
     bushes.reserve(grown.size());
     for (const Grown& each : grown) bushes.push_back(each.tree);
     return bushes;
+}
+
+// Hedges and orchards of a land, by random: those low as bushes, or the others.
+std::vector<Tree> planted_of(const Surroundings& around, const Growth& growth, const Land& land, bool low,
+                             std::span<const Clearing> clearings) {
+    std::vector<Grown> grown;
+    for (const PlantedTree& each : land.planted) {
+        if ((each.as == PlantedTree::As::kHedge) != low || is_cleared(each.at, clearings)) continue;
+        const Site site = growth.bare_site(each.at);
+        if (site.below < 30) continue;
+        const glm::ivec2 place(glm::round(4.0 * each.at));
+        const auto own = [&](std::uint32_t kind) {
+            return hash(place.x, place.y, kPlacesPeriod, 400 + kind);
+        };
+        Tree tree = growth.bush(site, own(0));
+        tree.origin = TreeOrigin::kPlanted;
+        tree.group = 1;
+        tree.chance = own(1);
+        if (low)
+            tree.height = glm::mix(kLowestHedge, kTallestHedge, own(2));
+        else if (each.as == PlantedTree::As::kFruitTree)
+            tree.kind = TreeKind::kBeech, tree.height = glm::mix(kLowestFruitTree, kTallestFruitTree, own(2));
+        else
+            tree.kind = own(3) < 0.3f ? TreeKind::kBirch : TreeKind::kBeech,
+            tree.height = glm::mix(kLowestHedgeTree, kTallestHedgeTree, own(2));
+        put_on_ground(around, each.at, site, tree);
+        tree.snow_near = snow_near(around, each.at);
+        grown.push_back({own(4), place, tree});
+    }
+    std::ranges::sort(grown, earlier);
+    std::vector<Tree> trees;
+    trees.reserve(grown.size());
+    for (const Grown& each : grown) trees.push_back(each.tree);
+    return trees;
 }
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
@@ -388,7 +440,7 @@ float snow_near(const Surroundings& around, glm::dvec2 at) {
 }
 
 bool is_of_forest(const Tree& tree) {
-    return tree.vertex >= 0 && tree.kind != TreeKind::kBush;
+    return tree.vertex >= 0 && tree.kind != TreeKind::kBush && tree.origin == TreeOrigin::kWild;
 }
 
 float radius_of(TreeKind kind) {
@@ -464,7 +516,11 @@ Woods::Woods(const Surroundings& around, const TreeRules& rules, double datum,
     const double tile_m = around.side() / kTilesAlongSide;
     sort_into_tiles(tile_m, trees);
     // Bushes have tiles of their own, because fewer of them are seen from afar.
-    if (rules.mixed) sort_into_tiles(tile_m, bushes_of(around, growth, free, rules.seed, clearings));
+    if (rules.mixed) {
+        sort_into_tiles(tile_m, bushes_of(around, growth, free, rules.seed, clearings));
+        for (const bool low : {true, false})
+            sort_into_tiles(tile_m, planted_of(around, growth, land, low, clearings));
+    }
     put_on_mesh(around);
     fingerprint_ = mixed(mixed(around.fingerprint(), trees_.size()), rules.seed);
     if (rules.mixed) fingerprint_ = mixed(mixed(fingerprint_, 1), land.fingerprint);

@@ -51,6 +51,8 @@ enum class TreeFate : std::int32_t {
     kLies,
 };
 
+enum class TreeOrigin : std::int32_t { kWild, kPlanted };  // planted in a hedge or an orchard
+
 // A tree where it grew, or outside the grid a group of them. Space as in shaders.
 struct Tree {
     glm::vec3 foot;       // m, on the ground at tick 0
@@ -65,9 +67,11 @@ struct Tree {
     float group;  // number of trees side by side that it stands for, 1 to kLargestGroup; 1 on the grid
     TreeKind kind;
     TreeFate fate = TreeFate::kOfFlow;
+    TreeOrigin origin = TreeOrigin::kWild;
 };
 
-// Whether the stems of a world's forest count it: trees on the grid are, bushes are not.
+// Whether the stems of a world's forest count it: trees on the grid are; bushes, and what is planted in hedges and
+// orchards, are not.
 bool is_of_forest(const Tree& tree);
 
 // The greatest depth of the standing layer within some 25 m of a place at tick 0, m.
@@ -90,7 +94,8 @@ struct TreeTile {
 // edges on slopes below the tree line: not on rock and not on level ground. At the line stands are few, and
 // follow ribs; single trees and dwarf pine are between them. In gullies, where avalanches run, only some
 // trees stand. Of mixed woods broad-leaved trees are low and on gentle ground, larches high, and birches and bushes where the wood is
-// open. Along brooks are thickets, and a tree whose place is in a brook stands beside it, but counts where it grew. A view:
+// open. Along brooks are thickets, and hedges and orchards are where the land has them. A tree
+// whose place is in a brook, on a path or within a field stands beside it, but counts where it grew. A view:
 // nothing else knows of them, unless they act.
 //
 // A tree of the grid is a function of ground, rules and place, bit-identical on every machine. Those around

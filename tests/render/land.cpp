@@ -1,7 +1,9 @@
 #include "render/mountain/land.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -12,12 +14,12 @@
 namespace render::test {
 namespace {
 
-enum Part : std::uint8_t { kBrook, kMoisture, kTilled, kRubble };
+enum Part : std::uint8_t { kBrook, kMoisture, kUse, kRubble };
 
 class Ground {
   public:
     explicit Ground(const World& world, int most_along = Land::kUsual)
-        : side_(world.side()), land_(land_of(mountains_around(world), most_along)) {}
+        : side_(world.side()), land_(land_of(mountains_around(world), {}, most_along)) {}
 
     // A part at a place, m, 0 to 255.
     int at(double x, double y, Part part) const {
@@ -59,8 +61,69 @@ TEST(Land, has_a_brook_where_water_gathers_and_none_above) {
 TEST(Land, is_moist_in_a_valley_and_tilled_where_it_is_low_and_gentle) {
     const Ground ground(make_world(100, 10, valley_to_south));
     EXPECT_GT(ground.at(500, 300, kMoisture), ground.at(300, 300, kMoisture) + 60);
-    EXPECT_GT(ground.at(500, 200, kTilled), 200);
-    EXPECT_EQ(ground.at(300, 200, kTilled), 0);
+    int tilled = 0;
+    for (double y = 20; y < 300; y += 10)
+        for (double x = 450; x <= 550; x += 10) tilled += ground.at(x, y, kUse) >= LAND_FIELD;
+    EXPECT_GT(tilled, 100);
+    for (double y = 20; y < 1000; y += 10) EXPECT_EQ(ground.at(300, y, kUse), 0) << y;
+}
+
+// A gentle slope that falls to the south, so that contours run from west to east.
+Surroundings gentle_slope() {
+    return mountains_around(
+        make_world(100, 10, [](double, double y) { return 0.08 * y + 0.6 * std::max(y - 400, 0.0); }));
+}
+
+TEST(Land, has_fields_along_the_contour_of_many_sizes) {
+    const Land land = land_of(gentle_slope());
+    std::array<int, LAND_DIRECTIONS> texels{};
+    std::set<int> crops;
+    int all = 0;
+    for (double y = 20; y < 300; y += 2)
+        for (double x = 20; x < 980; x += 2)
+            if (const int use = land.use({x, y}); use != 0) {
+                ASSERT_LT(use, LAND_GARDEN);
+                ++texels[static_cast<std::size_t>((use - LAND_FIELD) % LAND_DIRECTIONS)], ++all;
+                crops.insert((use - LAND_FIELD) / LAND_DIRECTIONS);
+            }
+    EXPECT_GT(all, 20000);
+    EXPECT_GT(crops.size(), 10u);
+    EXPECT_GT(texels[0] + texels[1] + texels[LAND_DIRECTIONS - 1], 0.9 * all);
+    for (double x = 20; x < 980; x += 10) EXPECT_EQ(land.use({x, 700}), 0) << "too steep";
+}
+
+TEST(Land, has_hedges_on_borders_of_fields_and_none_in_them) {
+    const Land land = land_of(gentle_slope());
+    std::size_t within = 0;
+    for (const PlantedTree& each : land.planted) {
+        EXPECT_NE(each.as, PlantedTree::As::kFruitTree) << "there is no house";
+        const int here = land.use(each.at);
+        const auto same = [&](double x, double y) { return land.use(each.at + glm::dvec2(x, y)) == here; };
+        within += same(4, 0) && same(-4, 0) && same(0, 4) && same(0, -4);
+    }
+    EXPECT_GT(land.planted.size(), 200u);
+    EXPECT_LT(within, land.planted.size() / 10) << "two fields in a hundred look alike";
+}
+
+TEST(Land, leads_paths_from_a_house_to_the_road_and_uphill_beside_a_garden) {
+    Settlement village;
+    village.houses.push_back({{500, 200}, {0, -1}, 11, 9});
+    village.roads.push_back({{100, 160}, {900, 160}, 6});
+    const Surroundings around = gentle_slope();
+    const Land land = land_of(around, village), without = land_of(around);
+    EXPECT_NE(land.fingerprint, without.fingerprint);
+    const auto count = [&](const Land& of, int use, glm::dvec2 low, glm::dvec2 high) {
+        int texels = 0;
+        for (double y = low.y; y < high.y; ++y)
+            for (double x = low.x; x < high.x; ++x) texels += of.use({x, y}) == use;
+        return texels;
+    };
+    for (double y = 168; y < 192; y += 2) EXPECT_GT(count(land, LAND_PATH, {480, y}, {520, y + 1}), 0) << y;
+    EXPECT_GT(count(land, LAND_PATH, {100, 230}, {900, 400}), 100) << "uphill";
+    EXPECT_GT(count(land, LAND_VERGE, {100, 150}, {900, 170}), 5000);
+    EXPECT_EQ(count(land, LAND_VERGE, {100, 180}, {900, 400}), 0);
+    for (const int use : {LAND_PATH, LAND_VERGE, LAND_GARDEN})
+        EXPECT_EQ(count(without, use, {0, 0}, {1000, 1000}), 0);
 }
 
 TEST(Land, has_rubble_under_rock_only) {

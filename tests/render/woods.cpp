@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "assets/shaders/slots.glsl"
 #include "render/woods/followed_woods.h"
 #include "render/woods/trees_in_view.h"
 #include "tests/render/mountains.h"
@@ -273,6 +274,33 @@ TEST_F(MixedWood, keeps_out_of_brooks_and_has_thickets_beside_them) {
     EXPECT_GT(on_banks(wet), 2 * on_banks(dry) + 20);
     EXPECT_NE(dry.fingerprint(), wet.fingerprint());
     EXPECT_TRUE(forest_of(dry, world.grid) == forest_of(wet, world.grid));
+}
+
+TEST_F(MixedWood, leaves_fields_and_paths_and_has_hedges_and_orchards_that_are_no_forest) {
+    world = make_world(100, 10, [](double, double y) { return 0.1 * y + 0.4 * std::max(y - 300, 0.0); });
+    const Surroundings around = mountains_around(world);
+    Settlement village;
+    for (const double x : {300.0, 500.0, 700.0}) village.houses.push_back({{x, 250}, {0, -1}, 11, 9});
+    const Land land = land_of(around, village);
+    TreeRules rules{.density = 600, .line_m = 640, .seed = 7};
+    rules.mixed = true;
+    const Woods wild(around, rules, 0), tended(around, rules, 0, {}, land);
+    const auto on_paths = [&](const Woods& woods) {
+        return std::ranges::count_if(woods.trees(), [&](const Tree& tree) {
+            return land.use(around.source(glm::dvec2(tree.foot))) >= LAND_GARDEN;
+        });
+    };
+    int hedge = 0, orchard = 0;
+    for (const Tree& tree : tended.trees()) {
+        if (tree.origin == TreeOrigin::kWild) continue;
+        EXPECT_FALSE(is_of_forest(tree));
+        ++(tree.kind == TreeKind::kBush ? hedge : orchard);
+    }
+    EXPECT_GT(on_paths(wild), 3);
+    EXPECT_EQ(on_paths(tended), 0);
+    EXPECT_GT(hedge, 100);
+    EXPECT_GT(orchard, 6);
+    EXPECT_TRUE(forest_of(wild, world.grid) == forest_of(tended, world.grid));
 }
 
 TEST_F(MixedWood, is_planted_with_the_kinds_that_grow_there) {
