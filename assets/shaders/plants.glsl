@@ -7,7 +7,7 @@ vec4 land_at(vec2 cell) {
     return textureLod(land, (cell / vec2(frame.size.xy - 1) * (texels - 1.0) + 0.5) / texels, 0.0);
 }
 
-// How people use a place, as shares, from the four texels around it.
+// How people use a place, as shares, from the four texels around it, whose weighted mean is `mean`.
 struct Use {
     float field;    // of fields
     float within;   // of the field that covers most of it: 1 within, 0.5 at its edge
@@ -15,12 +15,15 @@ struct Use {
     vec2 along;     // its direction
     float garden, verge, path;
 };
-Use use_at(vec2 cell) {
+Use use_at(vec2 cell, float mean) {
     ivec2 last = textureSize(land, 0) - 1;
     vec2 texel = cell / vec2(frame.size.xy - 1) * vec2(last);
     ivec2 first = clamp(ivec2(floor(texel)), ivec2(0), max(last - 1, ivec2(0)));
     vec2 t = clamp(texel - vec2(first), 0.0, 1.0);
-    vec4 uses = round(255.0 * vec4(texelFetch(land, first, 0).b, texelFetch(land, min(first + ivec2(1, 0), last), 0).b,
+    float nearest = round(255.0 * texelFetch(land, min(first + ivec2(round(t)), last), 0).b);
+    vec4 uses = vec4(nearest);
+    if (abs(255.0 * mean - nearest) > 0.2)  // else all four are the same
+        uses = round(255.0 * vec4(texelFetch(land, first, 0).b, texelFetch(land, min(first + ivec2(1, 0), last), 0).b,
                                    texelFetch(land, min(first + ivec2(0, 1), last), 0).b, texelFetch(land, min(first + 1, last), 0).b));
     vec4 weights = vec4((1.0 - t.x) * (1.0 - t.y), t.x * (1.0 - t.y), (1.0 - t.x) * t.y, t.x * t.y);
     vec4 fields = weights * step(float(LAND_FIELD), uses) * step(uses, vec4(float(LAND_GARDEN) - 0.5));
@@ -105,7 +108,7 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     vec3 straw = (frame.turf.w > 0.0 ? frame.turf.rgb : frame.meadow.rgb) * 0.95;
     vec3 grass = mix(straw, mix(vec3(0.078, 0.150, 0.026), vec3(0.170, 0.185, 0.045), dry), green);
     Use use = Use(0.0, 0.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
-    if (here.b > 0.0) use = use_at(p.source);
+    if (here.b > 0.0) use = use_at(p.source, here.b);
     float is_tilled = smoothstep(0.3, 0.7, use.field + use.garden);
     if (use.within > 0.0) grass = mix(grass, field_of(1.12 * grass, use, p, d), smoothstep(0.3, 0.7, use.field));
     // Dwarf shrubs higher up: dark, rust in autumn.
@@ -130,7 +133,7 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     // Gardens, the worn edges of roads, and paths.
     if (use.garden + use.verge + use.path > 0.0) {
         skin.albedo = mix(skin.albedo, garden_at(grass, p, d), smoothstep(0.35, 0.65, use.garden));
-        float worn = smoothstep(0.30, 0.75, use.path + 0.35 * (d.clumps.z - 0.5)), beside = 0.85 * smoothstep(0.0, 0.3, use.verge) * smoothstep(0.25, 0.90, use.verge + 0.8 * (d.clumps.z - 0.55) + 0.5 * (d.soft.z - 0.5));
+        float worn = smoothstep(0.22, 0.62, use.path + 0.30 * (d.clumps.z - 0.5)), beside = 0.85 * smoothstep(0.0, 0.3, use.verge) * smoothstep(0.25, 0.90, use.verge + 0.8 * (d.clumps.z - 0.55) + 0.5 * (d.soft.z - 0.5));
         worn = max(worn, beside);
         skin.albedo = trodden(skin.albedo, d, worn);
         skin.rise *= 1.0 - 0.6 * worn;
