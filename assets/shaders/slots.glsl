@@ -147,6 +147,7 @@
 #define BUILT_CONCRETE 11
 #define BUILT_GLASS 12 // of walls, in a frame
 #define BUILT_BRICK 13
+#define ROAD_WIDEST 20.0 // m, of a road whose number of a structure is 1
 
 #define POWDER_SHADOW 3.0 // mean radii of the puffs, from a cloud to the end of its shadow
 

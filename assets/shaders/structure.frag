@@ -15,6 +15,20 @@ float lines(float place, float apart, float pixel) {
     return mix(1.0, smoothstep(1.0, 0.8, t), clamp(1.3 - 2.5 * pixel / apart, 0.0, 1.0));
 }
 
+// Asphalt, mended here and there, with dirt along its edges and a line of dashes in the middle. `width`: of the road, m.
+const float NARROWEST_PAVED = 5.0;
+vec3 paved(vec2 place, float width, float pixel, vec4 soft, vec4 rock) {
+    float from_middle = place.y - 0.5 * width, from_edge = 0.5 * width - abs(from_middle);
+    vec3 albedo = vec3(0.092, 0.090, 0.089) * (0.82 + 0.22 * soft.z + 0.16 * rock.z);
+    albedo *= mix(0.84, 1.0, smoothstep(0.55, 0.60, soft.w));
+    float tracks = smoothstep(0.45, 0.1, abs(abs(fract(place.y / (0.5 * width)) - 0.5) - 0.25) * 0.5 * width);
+    albedo *= 1.0 + 0.10 * tracks;
+    albedo = mix(vec3(0.135, 0.115, 0.085) * (0.7 + 0.6 * rock.z), albedo, smoothstep(0.05, 0.5, from_edge - 0.5 * (rock.z - 0.5)));
+    float thin = max(0.06, pixel), line = smoothstep(thin + 0.5 * pixel, thin - 0.5 * pixel, abs(from_middle)) * 0.06 / thin;
+    float dash = smoothstep(0.0, pixel + 0.02, 1.5 - abs(mod(place.x, 9.0) - 4.5));
+    return mix(albedo, vec3(0.42), 0.8 * line * dash * clamp(2.0 - 4.0 * pixel, 0.0, 1.0));
+}
+
 void main() {
     float pixel = on_face.z;
     vec4 soft = texture(detail_texture, vec3(ground / 23.0, DETAIL_SOFT));
@@ -39,6 +53,8 @@ void main() {
                 float worn = track * (0.45 + 0.9 * soft.z + 0.5 * (rock.z - 0.5)) + 0.5 * (rock.z - 0.4) * soft.w;
                 vec3 gravel = vec3(0.165, 0.155, 0.145) * (0.6 + 0.7 * rock.z), packed_snow = frame.standing.rgb * (0.52 + 0.16 * soft.z + 0.12 * rock.z);
                 albedo = mix(gravel * (1.0 - 0.3 * track), packed_snow, numbers.y * (1.0 - 0.85 * clamp(worn, 0.0, 1.0)));
+                if (frame.season.w > 0.0 && numbers.x * ROAD_WIDEST > NARROWEST_PAVED)
+                    albedo = mix(paved(on_face.xy, numbers.x * ROAD_WIDEST, pixel, soft, rock), albedo, numbers.y);
             }
             break;
         case BUILT_BANK: albedo *= 0.70 + 0.14 * soft.z + 0.20 * rock.z; break;  // thrown up with some of the road

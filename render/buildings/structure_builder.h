@@ -101,11 +101,13 @@ class StructureBuilder {
     const Pose& pose() const { return pose_; }
     StructureBuilder in(const Pose& pose) const { return {into_, pose, own_}; }
 
-    // Corners counterclockwise as seen from outside. `low` and `high`: light at the first edge and at the opposite.
-    void quad(const std::array<vec3, 4>& corners, int material, float low = 1, float high = 1) {
+    // Corners counterclockwise as seen from outside. `low` and `high`: light at the first edge and at the opposite. `before`: m
+    // along the first edge, of what the face continues.
+    void quad(const std::array<vec3, 4>& corners, int material, float low = 1, float high = 1,
+              float before = 0) {
         const auto [a, b, c, d] = corners;
-        const float wide = glm::distance(a, b), tall = glm::distance(a, d);
-        const glm::vec2 faces[] = {{0, 0}, {wide, 0}, {wide, tall}, {0, tall}};
+        const float end = before + glm::distance(a, b), tall = glm::distance(a, d);
+        const glm::vec2 faces[] = {{before, 0}, {end, 0}, {end, tall}, {before, tall}};
         const float lights[] = {low, low, high, high};
         const vec3 normal = glm::normalize(pose_.axes * glm::cross(c - a, d - b));
         for (const int i : {0, 1, 2, 0, 2, 3})

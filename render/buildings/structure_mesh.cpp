@@ -235,6 +235,9 @@ struct RoadEdge {
 constexpr RoadEdge kNearEdges[] = {{-1, -2.6f, -0.15f}, {-1, -0.9f, 0.6f}, {-1, 0, 0.12f},
                                    {1, 0, 0.12f},       {1, 0.9f, 0.6f},   {1, 2.6f, -0.15f}};
 constexpr RoadEdge kFarEdges[] = {{-1, -1.6f, 0.3f}, {-1, 0, 0.3f}, {1, 0, 0.3f}, {1, 1.6f, 0.3f}};
+// Without snow to be cleared.
+constexpr RoadEdge kNearBareEdges[] = {{-1, -0.5f, -0.15f}, {-1, 0, 0.12f}, {1, 0, 0.12f}, {1, 0.5f, -0.15f}};
+constexpr RoadEdge kFarBareEdges[] = {{-1, 0, 0.3f}, {1, 0, 0.3f}};
 
 // The middle of a road from point to point, its corners rounded.
 std::vector<glm::vec2> rounded(const std::vector<glm::dvec2>& points) {
@@ -301,7 +304,7 @@ void add_road_piece(const RoadSection& from, const RoadSection& to, std::span<co
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
         const bool middle = 2 * (i + 1) == edges.size();
         into.quad({point(from, i + 1), point(to, i + 1), point(to, i), point(from, i)},
-                  to.snowy && !middle ? BUILT_BANK : BUILT_ROAD);
+                  to.snowy && !middle ? BUILT_BANK : BUILT_ROAD, 1, 1, from.way);
     }
 }
 
@@ -314,15 +317,21 @@ void add_road(const Road& road, const FirstSurface& surface, StructureMesh& mesh
     const float step = std::max(std::clamp(0.3f * surface.cell(), 0.5f, 4.f), length / kMostPieces);
     const auto half = static_cast<float>(road.width_m / 2);
     const std::vector<RoadSection> sections = sections_of(middle, surface, step);
-    StructureBuilder into(mesh.faces, {}, 0.5f);
+    StructureBuilder into(mesh.faces, {}, static_cast<float>(std::min(road.width_m / ROAD_WIDEST, 1.0)));
+    using Edges = std::span<const RoadEdge>;
     for (std::size_t first = 0; first + 1 < sections.size(); first += kPiecesPerPart) {
         const std::size_t last = std::min(first + kPiecesPerPart, sections.size() - 1);
         OpenPart part(mesh);
-        for (std::size_t i = first; i < last; i += 2)
-            add_road_piece(sections[i], sections[std::min(i + 2, last)], kFarEdges, half, surface, into);
+        for (std::size_t i = first; i < last; i += 2) {
+            const RoadSection& to = sections[std::min(i + 2, last)];
+            add_road_piece(sections[i], to, to.snowy ? Edges(kFarEdges) : kFarBareEdges, half, surface, into);
+        }
         part.begin_near();
-        for (std::size_t i = first; i < last; ++i)
-            add_road_piece(sections[i], sections[i + 1], kNearEdges, half, surface, into);
+        for (std::size_t i = first; i < last; ++i) {
+            const RoadSection& to = sections[i + 1];
+            add_road_piece(sections[i], to, to.snowy ? Edges(kNearEdges) : kNearBareEdges, half, surface,
+                           into);
+        }
     }
 }
 
