@@ -18,6 +18,7 @@
 #include "render/mountain/bare_ground.h"
 #include "render/mountain/ground_mesh.h"
 #include "render/mountain/sun_sweep.h"
+#include "render/passes/carried_pass.h"
 #include "render/passes/coarse_ground.h"
 #include "render/passes/drawn_extent.h"
 #include "render/passes/drawn_land.h"
@@ -84,6 +85,7 @@ struct Renderer::Parts {
     SurroundingsPass surroundings;
     FullscreenPass sky, day_lights, night_lights;
     StructuresPass structures;
+    CarriedPass carried;
     TreesPass trees;
     SpindriftPass spindrift;
     PowderPass powder;
@@ -139,6 +141,7 @@ tl::expected<Renderer, std::string> Renderer::create(const std::filesystem::path
     parts->day_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars_none.glsl"});
     parts->night_lights = fullscreen({"slots.glsl", "frame.glsl", "sky_lights.frag", "stars.glsl"});
     parts->structures = ready(StructuresPass::create(shaders));
+    parts->carried = ready(CarriedPass::create(shaders));
     parts->trees = ready(TreesPass::create(assets));
     parts->spindrift = ready(SpindriftPass::create(shaders));
     parts->powder = ready(PowderPass::create(shaders));
@@ -347,6 +350,7 @@ void Renderer::Parts::find(Frame& frame) {
     if (!frame.everything) tiles.mark_changes(redrawn.scene_tiles);
     if (input.surrounded()) surroundings.find(redraw);
     structures.find(input, redraw);
+    carried.find(input, redraw);
     frame.wooded = input.may_have_trees() && trees.any();
     if (frame.wooded) trees.find(input, redraw);
     frame.powdery = powder.find(input.powder, frame.block, input.look, input.powder_strength, across, up,
@@ -404,6 +408,7 @@ void Renderer::Parts::draw(const Frame& frame) {
     // What people have built stands before ground and sky, and so do trees, with a jagged outline. Their shadows darken
     // the ground that is drawn.
     if (structures.any()) structures.draw(redrawn.scene);
+    if (carried.any()) carried.draw(redrawn.scene);
     clock.mark(Pass::kStructures);
     if (frame.wooded) trees.draw(redrawn.scene);
     clock.mark(Pass::kTrees);

@@ -54,6 +54,7 @@ struct Gallery::Parts {
                 .surroundings = &backdrop.mountains,
                 .land = &backdrop.land,
                 .powder = session.powder(),
+                .carried = session.carried(),
                 .woods = &backdrop.woods,
                 .flow_so_far = session.flow_so_far(),
                 .structures = &session.structures(),

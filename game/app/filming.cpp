@@ -64,6 +64,7 @@ Outcome<Filming::Made> Filming::film(const Subject& subject, const FilmWish& wis
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
+    session->follow_carried(scenario);
     const auto lead = std::llround(kLead / static_cast<double>(scenario.params.tick_s));
     const std::int64_t begins = recording->commands.empty() ? 0 : recording->commands.front().tick - lead,
                        first =

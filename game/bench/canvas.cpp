@@ -78,6 +78,7 @@ render::DrawTimes Canvas::draw(const Session& session) {
                      .surroundings = &p.backdrop.mountains,
                      .land = &p.backdrop.land,
                      .powder = session.powder(),
+                     .carried = session.carried(),
                      .woods = &p.backdrop.woods,
                      .flow_so_far = session.flow_so_far(),
                      .structures = &session.structures(),

@@ -27,6 +27,7 @@ struct BenchRun {
         auto session = Session::begin(scenario, options.step, std::nullopt);
         if (session) session->follow_fronts(scenario);
         if (session) session->follow_powder(scenario);
+        if (session) session->follow_carried(scenario);
         return session;
     }
 };

@@ -72,6 +72,7 @@ Outcome<Worlds> begin_worlds(const Scenes& scenes, const GalleryOptions& options
         if (!session) return tl::unexpected(session.error());
         session->follow_fronts(scene.scenario);
         session->follow_powder(scene.scenario);
+        session->follow_carried(scene.scenario);
         auto backdrop = backdrop_of(scene.scenario);
         if (const std::string notice = woods_notice(scene.scenario, backdrop.woods); !notice.empty())
             print_line(stderr, "couloir: {}", notice);
@@ -147,6 +148,7 @@ Outcome<DrawnView> draw(render::Renderer& renderer, const Moment& moment, const 
         .surroundings = scenario.model ? nullptr : &moment.world->backdrop.mountains,
         .land = &moment.world->backdrop.land,
         .powder = session.powder(),
+        .carried = session.carried(),
         .woods = &moment.world->backdrop.woods,
         .flow_so_far = session.flow_so_far(),
         .structures = &session.structures(),

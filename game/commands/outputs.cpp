@@ -43,6 +43,7 @@ Outcome<Outputs> Outputs::begin(const OutputOptions& options, const Scenario& sc
                                 std::string proof) {
     Outputs outputs(options);
     if (draws(options) || options.web.file) session.follow_powder(scenario);
+    if (draws(options)) session.follow_carried(scenario);
     if (!options.web.file) return outputs;
     auto page =
         SlidePage::begin(scenario, session, std::move(proof), page_options(options.web, options.pictures));

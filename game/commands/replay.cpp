@@ -131,6 +131,7 @@ Outcome<int> replay(const ReplayOptions& options) {
     if (options.poster) {
         if (auto placed = make_place_for(*options.poster); !placed) return tl::unexpected(placed.error());
         session->follow_powder(scenario);
+        session->follow_carried(scenario);
         session->follow_fronts(scenario);
     }
     std::optional<sound::SoundFile> audio;

@@ -31,6 +31,7 @@ Outcome<PageFigure> draw_world(const WorldFigure& figure, const std::filesystem:
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
+    session->follow_carried(scenario);
     auto gallery = Gallery::open(folder, size, gl, scenario);
     if (!gallery) return tl::unexpected(gallery.error());
 

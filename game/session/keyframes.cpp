@@ -38,12 +38,12 @@ std::size_t bytes_of(const std::vector<Session::Checkpoint>& moments) {
 
 std::size_t bytes_of(const Session::Checkpoint& moment) {
     const sim::Snapshot& w = moment.world;
-    std::size_t bytes =
-        sizeof(moment) +
-        bytes_of_all(w.depth, w.rolling, w.velocity_x, w.velocity_y, w.first_depth, w.smooth_depth,
-                     w.running_commands) +
-        bytes_of_all(moment.peaks.depth, moment.peaks.speed_plan, moment.peaks.speed_slope,
-                     moment.peaks.pressure, moment.peaks.arrival, moment.powder, moment.line.before);
+    std::size_t bytes = sizeof(moment) +
+                        bytes_of_all(w.depth, w.rolling, w.velocity_x, w.velocity_y, w.first_depth,
+                                     w.smooth_depth, w.running_commands) +
+                        bytes_of_all(moment.peaks.depth, moment.peaks.speed_plan, moment.peaks.speed_slope,
+                                     moment.peaks.pressure, moment.peaks.arrival, moment.powder,
+                                     moment.carried, moment.line.before);
     if (w.mixture) bytes += bytes_of_all(w.mixture->rolling, w.mixture->settled, w.mixture->untouched);
     if (w.things)
         bytes += bytes_of_all(w.things->earth, w.things->first_slope, w.things->forest, w.things->water,

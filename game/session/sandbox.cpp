@@ -51,6 +51,7 @@ Outcome<Sandbox> Sandbox::begin(LoadedWorld loaded, const sim::StepOptions& opti
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scenario);
     session->follow_powder(scenario);
+    session->follow_carried(scenario);
     return Sandbox(std::move(loaded), std::move(*session));
 }
 

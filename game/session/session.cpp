@@ -85,6 +85,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         if (try_) try_->see(state_, !commands.empty());
         if (!rests) watch_structures();
         if (powder_) advance_powder(commands, rests);
+        if (carried_ && carried_->advance(view(), state_.params.tick_s)) changed_at_ = state_.tick;
     });
     if (!records) return {};
     recorded_until_ = state_.tick;
@@ -128,8 +129,9 @@ Outcome<void> Session::claim(const ClaimLine& line) {
 }
 
 Session::Checkpoint Session::moment() const {
-    Checkpoint moment{sim::take_snapshot(state_), std::nullopt, {}, peaks(), try_, line_, std::nullopt};
+    Checkpoint moment{sim::take_snapshot(state_), std::nullopt, {}, {}, peaks(), try_, line_, std::nullopt};
     if (powder_) moment.powder.assign(powder_->puffs().begin(), powder_->puffs().end());
+    if (carried_) moment.carried.assign(carried_->bodies().begin(), carried_->bodies().end());
     if (fronts_) moment.textures = fronts_->memory();
     if (recorder_) moment.mark = recorder_->mark();
     return moment;
@@ -154,6 +156,7 @@ void Session::put(const Checkpoint& moment) {
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     if (fronts_ && !moment.textures) fronts_->begin_anew(view(), engine_->workers);
     if (powder_) powder_->restore(moment.powder);
+    if (carried_) carried_->restore(moment.carried);
     peaks_.go_on(moment.peaks);
     peaks_.see(state_);
     watch_structures();
@@ -217,6 +220,12 @@ void Session::follow_powder(const Scenario& scenario) {
     const sim::powder::Rule lower = scenario.lower ? rule(scenario.look.lower_powder) : sim::powder::Rule{};
     if (scenario.model || scenario.flow || (upper.strength <= 0 && lower.strength <= 0)) return;
     powder_.emplace(upper, lower, velocity(scenario.wind));
+}
+
+void Session::follow_carried(const Scenario& scenario) {
+    const render::Look& look = scenario.look;
+    if (scenario.model || scenario.flow || !render::carries(look, scenario.lower.has_value())) return;
+    carried_.emplace(scenario.depth, render::is_soil(look.standing), render::is_soil(look.lower_standing));
 }
 
 // While nothing moves, the cloud settles; after that nothing is left to do.

@@ -14,6 +14,7 @@
 #include "game/session/attempt_watch.h"
 #include "game/session/peak_watch.h"
 #include "game/session/world_fronts.h"
+#include "render/flow/carried.h"
 #include "render/view/flow_so_far.h"
 #include "sim/engine.h"
 #include "sim/powder/cloud.h"
@@ -28,7 +29,7 @@ struct TickTimes {
     double hash_ms = 0;
     // Tracking, advection and blending, if fronts are tracked.
     double track_ms = 0, advect_ms = 0, gradient_ms = 0;  // track_ms has all three in a flow demo
-    double peaks_ms = 0;  // per-vertex maxima; count of moving vertices; powder
+    double peaks_ms = 0;  // per-vertex maxima; count of moving vertices; powder; what flows carry
 };
 
 // Plays a world, with or without a window: commands in, views out. Records each command, if there is a
@@ -40,6 +41,7 @@ class Session {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
         std::vector<sim::powder::Puff> powder;
+        std::vector<render::CarriedBody> carried;
         Peaks peaks;
         std::optional<AttemptWatch> challenge;
         StateLine line;
@@ -59,11 +61,17 @@ class Session {
         "Textures do not move with the flow: the grid has over 900,000 vertices. Use a smaller --grid";
     // Starts the powder over the flow, if a material of `scenario` has any and its look is not "model".
     void follow_powder(const Scenario& scenario);
+    // Starts the boulders that flows of soil carry, if its look has a date and is not "model".
+    void follow_carried(const Scenario& scenario);
+    // Empty if they are not followed.
+    std::span<const render::CarriedBody> carried() const {
+        return carried_ ? carried_->bodies() : std::span<const render::CarriedBody>();
+    }
     // Empty if it is not followed.
     std::span<const sim::powder::Puff> powder() const {
         return powder_ ? powder_->puffs() : std::span<const sim::powder::Puff>();
     }
-    void follow_nothing() { stage_.reset(), fronts_.reset(), powder_.reset(); }
+    void follow_nothing() { stage_.reset(), fronts_.reset(), powder_.reset(), carried_.reset(); }
     // Null if no fronts are tracked.
     const sim::front::FlowView* fronts() const {
         return stage_ ? &stage_->view() : fronts_ ? &fronts_->view() : nullptr;
@@ -105,7 +113,7 @@ class Session {
 
     sim::View view() const { return sim::view(state_); }
     const sim::State& state() const { return state_; }
-    // The last tick that changed the fields or the powder. While the world is at rest, its frame stays the same.
+    // The last tick that changed the fields, the powder or what flows carry. While the world is at rest, its frame stays the same.
     std::int64_t changed_at() const { return changed_at_; }
     const Peaks& peaks() const { return peaks_.peaks(); }
     render::FlowSoFar flow_so_far() const { return {peaks().depth, peaks().speed_plan}; }
@@ -152,6 +160,7 @@ class Session {
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<WorldFronts> fronts_;
     std::optional<sim::powder::Cloud> powder_;
+    std::optional<render::Carried> carried_;
     std::optional<Densities> densities_;
     PeakWatch peaks_;
     StructureWatch structures_;

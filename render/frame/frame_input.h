@@ -5,6 +5,7 @@
 #include <span>
 
 #include "render/buildings/structures.h"
+#include "render/flow/carried.h"
 #include "render/frame/marks.h"
 #include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
@@ -56,6 +57,8 @@ struct FrameInput {
     // Powder or dust in the air, in look's colours; valid during the call.
     std::span<const sim::powder::Puff> powder = {};
     float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
+    // What flows of soil carry; valid during the call. Not drawn without a date and under an overlay.
+    std::span<const CarriedBody> carried = {};
     // Of these surroundings, without which no trees are drawn. If null, there are none.
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.
@@ -80,6 +83,7 @@ struct FrameInput {
     bool surrounded() const { return surroundings && !surroundings->empty(); }
     bool has_land() const { return look.date && surrounded() && land && !land->empty(); }
     bool may_have_trees() const { return marks.overlay == Overlay::kNone; }  // they would hide its values
+    bool may_have_carried() const { return look.date && marks.overlay == Overlay::kNone; }
     bool shows_wet_soil() const { return world.things && look.date && marks.overlay == Overlay::kNone; }
 };
 

@@ -20,7 +20,7 @@ enum class Pass {
     kTerrain,
     kSurroundings,  // mountains around the grid, or the walls of a block
     kSky,
-    kStructures,  // 0 without
+    kStructures,  // and what flows carry; 0 without
     kTrees,       // 0 without
     kPowder,
     kTone,

@@ -108,7 +108,8 @@ void TreesPass::find(const FrameInput& input, const Redraw& redraw) {
         seen_.clear();
         for (const DrawnTree& tree : trees_.gone()) redraw.tiles.mark(TreesInView::seen(tree, redraw.screen));
     }
-    trees_.settle(woods_.trees().trees, input.world, input.flow_so_far);
+    const bool carried_off = input.may_have_carried() && !input.carried.empty();
+    trees_.settle(woods_.trees().trees, input.world, input.flow_so_far, carried_off);
     if (redraw.everything) return;
     if (again)
         for (const std::size_t number : trees_.grown())

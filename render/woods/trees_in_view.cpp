@@ -236,7 +236,8 @@ void TreesInView::find_again(const LitTrees& of, std::span<const ChangedTile> ch
     }
 }
 
-void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow) {
+void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow,
+                         bool carried_off) {
     moved_.clear();
     for (std::size_t i = 0; i < upright_.size(); ++i) {
         const Tree& tree = trees[upright_[i].tree];
@@ -249,6 +250,7 @@ void TreesInView::settle(std::span<const Tree> trees, const sim::View& world, co
             now.shadow.z += earth_at(world, glm::vec2(now.shadow));
         }
         if (const float laid = lying(tree, flow); laid > 0) lay(tree, world, laid, now);
+        if (carried_off && tree.fate == TreeFate::kLies) now.look.w = now.shadow.w = 0;
         if (now == drawn_[i]) continue;
         moved_.push_back({i, drawn_[i]});
         drawn_[i] = now;

@@ -48,8 +48,9 @@ class TreesInView {
     std::span<const DrawnTree> gone() const { return gone_; }
     std::span<const std::size_t> grown() const { return grown_; }
     // Moves them to where they are now: onto sculpted ground, and one that a flow has met leans or lies, with its top
-    // downhill, on the ground now. `trees`: those of find().
-    void settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow);
+    // downhill, on the ground now. `trees`: those of find(). `carried_off`: those that a flow broke are not where they grew.
+    void settle(std::span<const Tree> trees, const sim::View& world, const FlowSoFar& flow,
+                bool carried_off = false);
 
     // The samples that one of them and its shadow may cover.
     static Rectangle seen(const DrawnTree& tree, const OnScreen& screen);

@@ -79,6 +79,7 @@ Outcome<void> draw(const std::string& name) {
     if (!session) return tl::unexpected(session.error());
     session->follow_fronts(scene->scenario);
     session->follow_powder(scene->scenario);
+    session->follow_carried(scene->scenario);
     if (auto played = play_to_its_moment(*session, *commands, !scene->scenario.flow); !played) return played;
     auto gallery = Gallery::open(folder.path(), {Catalogue::kPictureWidth, Catalogue::kPictureHeight}, "auto",
                                  scene->scenario);

@@ -112,6 +112,7 @@ class Player {
                 .land = &backdrop_.land,
                 .powder = session.powder(),
                 .powder_strength = powder_,
+                .carried = session.carried(),
                 .woods = with_trees_ ? &backdrop_.woods : nullptr,
                 .flow_so_far = session.flow_so_far(),
                 .structures = &session.structures(),

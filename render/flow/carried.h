@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/view/look.h"
+#include "sim/world/state.h"
+
+namespace render {
+
+enum class CarriedKind : std::uint32_t { kBoulder, kTrunk };
+
+// A boulder that a flow of soil has laid bare, or the trunk of a tree that it broke. A plain value.
+struct CarriedBody {
+    glm::vec3 at;        // its middle, m; z above the datum
+    glm::vec3 velocity;  // m/s
+    // Of a boulder a quaternion from its own axes to those of the world: x, y, z, w. Of a trunk the unit vector from its
+    // root to its top.
+    glm::vec4 turn;
+    float size = 0;  // mean diameter of a boulder, length of a trunk, m
+    float sunk = 0;  // share of its thickness below the surface, 0 to 1
+    std::uint32_t seed = 0;
+    std::int32_t vertex = 0;  // of the grid, where it lay or stood, row by row from the south
+    CarriedKind kind = CarriedKind::kBoulder;
+    bool operator==(const CarriedBody&) const = default;
+};
+
+// A number of the body's own, 0 to 1, excluding 1; `which` tells its numbers apart.
+float own(const CarriedBody& body, std::uint32_t which);
+
+// What a flow of soil carries. Boulders lie in the soil of tick 0, at places and depths that only depend on the vertex. A flow
+// that erodes so far lays them bare. They ride high in it, a little faster than its mean, so that they gather at its front
+// and roll out ahead of it; they bounce over the ground, and come to rest half sunk in the deposit or a little beyond.
+// The number of boulders of a size or more falls with its power 2.5, that of fragmented rock [turcotte1986].
+//
+// Trees that it breaks are carried too, as bare trunks with the plates of their roots: a flow takes hold of both halves
+// of one, so that it turns with the shear, as a long thin body does [jeffery1922].
+//
+// A view: it never affects the world. It depends on its past, so a checkpoint keeps the bodies. They are bit-identical on
+// every machine: only + − × ÷, square roots and hashes.
+class Carried {
+  public:
+    static constexpr std::size_t kMostBoulders = 600, kMostTrunks = 300;  // later ones are not seen
+    static constexpr std::size_t kMost = kMostBoulders + kMostTrunks;
+    static constexpr float kSmallest = 0.3f, kLargest = 3;  // m, diameter of a boulder
+    static constexpr float kPerCubicMetre = 0.02f;          // boulders in soil
+
+    // `first_depth`: of the standing layer at tick 0, m, one value per vertex, row 0 the south. `upper` and `lower`: whether
+    // that material is soil.
+    Carried(std::span<const float> first_depth, bool upper, bool lower);
+
+    // Advances to `world`, `dt_s` later, > 0. Returns whether anything changed.
+    bool advance(const sim::View& world, float dt_s);
+
+    std::span<const CarriedBody> bodies() const { return bodies_; }
+    void restore(std::span<const CarriedBody> bodies);
+
+  private:
+    bool move(const sim::View& world, float dt_s);
+    void take_up(const sim::View& world);
+    void take_up_in(const sim::View& world, int y, int first, int last);
+    void lay_bare(const sim::View& world, int x, int y, float eroded);
+    void fell(const sim::View& world, int x, int y, const sim::Stems& stems);
+    bool is_of_soil(const sim::View& world, int x, int y) const;
+
+    std::vector<float> first_depth_;  // m
+    bool upper_, lower_;
+    std::vector<CarriedBody> bodies_;  // in the order in which they were taken up
+    std::size_t trunks_ = 0;           // of these
+    std::vector<std::uint8_t> bare_,
+        felled_;  // of each vertex: bit i, its boulder or its tree i was taken up
+};
+
+// Whether the look of a world shows what flows carry: where plants are drawn by a date, and a material is soil.
+bool carries(const Look& look, bool has_lower);
+// The same of its upper and lower material: dark, unlike snow.
+bool is_soil(const glm::vec3& standing);
+
+}  // namespace render
