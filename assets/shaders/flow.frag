@@ -27,8 +27,9 @@ struct Paint {
 // Defined in paint_blended.glsl, paint_chosen.glsl, paint_stretch.glsl. `footprint`: size of a sample, tiles.
 Paint paint(Sheet sheets[kSheets], float footprint);
 
-// The share of turf, 0 to 1, that was torn off and rides on the flow, in turf.glsl; turf_none.glsl is for looks without a date.
-float turf(Sheet sheets[kSheets], float footprint);
+// Sorts blocks from fines, and returns the share of turf, 0 to 1, that was torn off and rides on the flow, in turf.glsl;
+// turf_none.glsl is for looks without a date.
+float sorted(inout Paint seen, Sheet sheets[kSheets], float footprint);
 
 void main() {
     mat2 pixel = mat2(dFdx(at), dFdy(at));
@@ -56,6 +57,7 @@ void main() {
     sheets[kAdvected] = Sheet((at.yx + vec2(37.0, 11.0)) * frame.flow.x, mat2(0.0, 1.0, 1.0, 0.0), everywhere ? 0.0 : 1.0 - kept);
     float footprint = sqrt(length(pixel[0]) * length(pixel[1])) * frame.flow.x;
     Paint seen = paint(sheets, footprint);
-    skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0 - 0.5 * (everywhere ? 0.0 : turf(sheets, footprint)));
+    float turf = everywhere ? 0.0 : sorted(seen, sheets, footprint);
+    skin_albedo = vec4(seen.albedo * frame.flow_tint.rgb, 1.0 - 0.5 * turf);
     skin_relief = vec4(seen.rise, seen.open, lies);
 }

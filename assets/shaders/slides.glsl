@@ -49,6 +49,15 @@ Skin with_mud(Skin mud, Detail d, float turf, float fresh) {
     return mud;
 }
 
+// Before its front mud lets go of water, which has wetted the ground there.
+Skin with_fringe(Skin skin, float fringe) {
+    float wet = frame.rock.w * fringe;
+    skin.albedo = mix(skin.albedo, 0.45 * frame.standing.rgb, 0.70 * wet);
+    skin.rise *= 1.0 - 0.7 * wet;
+    skin.wet = max(skin.wet, 0.45 * wet);
+    return skin;
+}
+
 Skin left_by_slides(Skin skin, Skin grown, float turf, Slide slide, Detail d, float covered) {
     // Where the standing layer is thinner than at tick 0, a scar: greyed and rough. Where it is thicker, a deposit:
     // debris that lies still, under the advected texture if there is one. Edges are ragged, and no change stays none.
@@ -93,9 +102,10 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
         }
         debris = blend(debris, carried, there);
     }
-    debris.rise += lip * 0.9 * along / max(steepness, 1e-4);
+    debris.rise += lip * (kDated ? 1.5 : 0.9) * along / max(steepness, 1e-4);
     skin = blend(skin, debris, rolls);
     skin.open *= 1.0 - 0.45 * foot;
     skin.albedo *= 1.0 - 0.35 * foot;
+    if (kDated) skin = with_fringe(skin, smoothstep(0.06, 0.30, layer.y) * (1.0 - rolls));
     return skin;
 }

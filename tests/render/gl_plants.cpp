@@ -43,6 +43,32 @@ TEST_F(Plants, grow_on_a_block_without_mountains) {
     EXPECT_GT(green(colour_on(Date{7, 15}, false)), 1.05);
 }
 
+// Mud that flows over a meadow, its front in the middle: before it the ground is dark with water, the more, the wetter the mud.
+TEST_F(Plants, are_wet_before_the_front_of_mud) {
+    World world = make_world(60, 10, [](double, double y) { return 0.2 * y; });
+    for (int y = 0; y <= 60; ++y)
+        for (int x = 0; x <= 30; ++x) world.rolling(x, y) = 1;
+    Look look;
+    look.standing = {0.12f, 0.08f, 0.05f};
+    look.rolling = {0.10f, 0.06f, 0.04f};
+    const auto seen = [&](std::optional<Date> date, float sheen) {
+        look.date = date, look.sheen = sheen;
+        FrameInput input{world.view(), from_above({305, 300, 60}, 40), {180, 50}, look};
+        input.width = input.height = 128;
+        EXPECT_TRUE(renderer_->load(look));
+        renderer_->draw(input);
+        return renderer_->read_back();
+    };
+    const auto brightness = [](const Picture& picture, int x) { return mean_colour(picture, x, 64, 4)[1]; };
+    const std::optional<Date> july = Date{7, 15};
+    const Picture dry = seen(july, 0), wet = seen(july, 1);
+    double most = 0;
+    for (int x = 50; x < 78; x += 4) most = std::max(most, 1 - brightness(wet, x) / brightness(dry, x));
+    EXPECT_GT(most, 0.1);
+    EXPECT_EQ(brightness(wet, 120), brightness(dry, 120)) << "far ahead";
+    EXPECT_TRUE(alike(seen({}, 0), seen({}, 1))) << "without a date";
+}
+
 // Rain on a part of a meadow: darker there and nowhere else, in a frame of what changed as in one that is whole.
 TEST_F(Plants, are_darker_where_the_soil_is_wet_and_where_a_look_has_a_date) {
     World world = make_world(60, 10, [](double, double y) { return 0.2 * y; });
