@@ -20,25 +20,26 @@ Use use_at(vec2 cell, float mean) {
     vec2 texel = cell / vec2(frame.size.xy - 1) * vec2(last);
     ivec2 first = clamp(ivec2(floor(texel)), ivec2(0), max(last - 1, ivec2(0)));
     vec2 t = clamp(texel - vec2(first), 0.0, 1.0);
-    float nearest = round(255.0 * texelFetch(land, min(first + ivec2(round(t)), last), 0).b);
-    vec4 uses = vec4(nearest);
-    if (abs(255.0 * mean - nearest) > 0.2)  // else all four are the same
-        uses = round(255.0 * vec4(texelFetch(land, first, 0).b, texelFetch(land, min(first + ivec2(1, 0), last), 0).b,
-                                   texelFetch(land, min(first + ivec2(0, 1), last), 0).b, texelFetch(land, min(first + 1, last), 0).b));
-    vec4 weights = vec4((1.0 - t.x) * (1.0 - t.y), t.x * (1.0 - t.y), (1.0 - t.x) * t.y, t.x * t.y);
-    vec4 fields = weights * step(float(LAND_FIELD), uses) * step(uses, vec4(float(LAND_GARDEN) - 0.5));
-    Use use = Use(dot(fields, vec4(1.0)), 0.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
-    float code = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        float share = dot(fields, vec4(equal(uses, vec4(uses[i]))));
-        if (share > use.within) use.within = share, code = uses[i] - float(LAND_FIELD);
+    float code = round(255.0 * texelFetch(land, min(first + ivec2(round(t)), last), 0).b);
+    Use use = Use(1.0, 1.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
+    if (abs(255.0 * mean - code) > 0.2 || code >= float(LAND_GARDEN)) {  // else all four are that field
+        vec4 uses = round(255.0 * vec4(texelFetch(land, first, 0).b, texelFetch(land, min(first + ivec2(1, 0), last), 0).b,
+                                       texelFetch(land, min(first + ivec2(0, 1), last), 0).b, texelFetch(land, min(first + 1, last), 0).b));
+        vec4 weights = vec4((1.0 - t.x) * (1.0 - t.y), t.x * (1.0 - t.y), (1.0 - t.x) * t.y, t.x * t.y);
+        vec4 fields = weights * step(float(LAND_FIELD), uses) * step(uses, vec4(float(LAND_GARDEN) - 0.5));
+        use.field = dot(fields, vec4(1.0)), use.within = 0.0;
+        for (int i = 0; i < 4; ++i) {
+            float share = dot(fields, vec4(equal(uses, vec4(uses[i]))));
+            if (share > use.within) use.within = share, code = uses[i];
+        }
+        use.garden = dot(weights, vec4(equal(uses, vec4(float(LAND_GARDEN)))));
+        use.verge = dot(weights, vec4(equal(uses, vec4(float(LAND_VERGE)))));
+        use.path = dot(weights, vec4(equal(uses, vec4(float(LAND_PATH)))));
     }
+    code -= float(LAND_FIELD);
     float turn = 3.14159265 / float(LAND_DIRECTIONS) * mod(code, float(LAND_DIRECTIONS));
     use.along = vec2(cos(turn), sin(turn));
     use.crop = (floor(code / float(LAND_DIRECTIONS)) + 0.5) / float(LAND_CROPS);
-    use.garden = dot(weights, vec4(equal(uses, vec4(float(LAND_GARDEN)))));
-    use.verge = dot(weights, vec4(equal(uses, vec4(float(LAND_VERGE)))));
-    use.path = dot(weights, vec4(equal(uses, vec4(float(LAND_PATH)))));
     return use;
 }
 
@@ -68,7 +69,7 @@ vec3 field_of(vec3 grass, Use use, Place p, Detail d) {
 vec3 garden_at(vec3 grass, Place p, Detail d) {
     vec2 at = mat2(0.94, -0.34, 0.34, 0.94) * p.at.xy / vec2(1.9, 0.85);
     float own = of_corner(ivec2(floor(at))), other = fract(57.0 * own);
-    vec3 plant = mix(grass, own < 0.25 ? vec3(0.060, 0.130, 0.050) : own < 0.50 ? vec3(0.150, 0.210, 0.060) : own < 0.62 ? vec3(0.300, 0.070, 0.090) : vec3(0.080, 0.150, 0.035), 0.8 * frame.season.x);
+    vec3 plant = mix(grass, own < 0.25 ? vec3(0.060, 0.130, 0.050) : own < 0.50 ? vec3(0.150, 0.210, 0.060) : own < 0.57 ? vec3(0.230, 0.070, 0.080) : vec3(0.080, 0.150, 0.035), 0.8 * frame.season.x);
     float row = smoothstep(0.46, 0.26, abs(fract(at.y) - 0.5)) * step(0.2, other) * (0.6 + 0.4 * d.clumps.z);
     return mix(vec3(0.085, 0.058, 0.036) * (0.8 + 0.4 * d.clumps.z), plant, mix(row, 0.6, smoothstep(0.2, 0.8, p.footprint)));
 }

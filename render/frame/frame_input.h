@@ -5,11 +5,11 @@
 #include <span>
 
 #include "render/buildings/structures.h"
-#include "render/flow/carried.h"
 #include "render/frame/marks.h"
 #include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
+#include "render/view/carried_body.h"
 #include "render/view/flow_so_far.h"
 #include "render/view/ground_kind.h"
 #include "render/view/lens.h"

@@ -20,7 +20,7 @@ constexpr int kUseLattice = 4096;        // cells until noise repeats
 constexpr double kParcel = 58;           // m, between the middles of parcels, on average
 constexpr double kBent = 7;              // m, by which edges of parcels are bent
 constexpr double kFromBrook = 4;         // m, from its water to the first furrow
-constexpr double kBush = 2.1;            // m, from bush to bush in a hedge
+constexpr double kBush = 2.3;            // m, from bush to bush in a hedge
 constexpr double kHedged = 0.6;          // share of borders with a hedge
 constexpr double kVerge = 3.8;           // m, from the edge of a road
 constexpr double kPathWidth = 1.7;       // m
@@ -78,7 +78,7 @@ class Parcels {
   public:
     Parcels(const Surroundings& around, const TexelGrid& grid, const std::vector<float>& tilled)
         : around_(around), last_(glm::ivec2(around.size() / kParcel) + kReach) {
-        parcels_.reserve(static_cast<std::size_t>((last_.x + kReach + 1) * (last_.y + kReach + 1)));
+        parcels_.reserve(columns() * static_cast<std::size_t>(last_.y + kReach + 1));
         for (int y = -kReach; y <= last_.y; ++y)
             for (int x = -kReach; x <= last_.x; ++x) parcels_.push_back(parcel(x, y, grid, tilled));
     }
@@ -108,8 +108,10 @@ class Parcels {
   private:
     static constexpr int kReach = 2;  // parcels from a place, among which its own is
 
+    std::size_t columns() const { return static_cast<std::size_t>(last_.x) + kReach + 1; }
     const Parcel& numbered(int x, int y) const {
-        return parcels_[static_cast<std::size_t>((y + kReach) * (last_.x + kReach + 1) + x + kReach)];
+        return parcels_[static_cast<std::size_t>(y + kReach) * columns() +
+                        static_cast<std::size_t>(x + kReach)];
     }
     Parcel parcel(int x, int y, const TexelGrid& grid, const std::vector<float>& tilled) const {
         const auto own = [&](std::uint32_t kind) { return static_cast<double>(random(x, y, kind)); };

@@ -29,7 +29,7 @@ constexpr double kSunk = 0.4;                               // m, so that no foo
 constexpr double kBushesPerHectare = 600;                   // in a closed thicket
 constexpr double kLastBush = 0.25;                          // longer sides, from the grid to the last bush
 constexpr double kLowestBush = 1.9, kTallestBush = 4.4;     // m
-constexpr float kLowestHedge = 1.6f, kTallestHedge = 3.4f;  // m
+constexpr float kLowestHedge = 1.5f, kTallestHedge = 2.9f;  // m
 constexpr float kLowestFruitTree = 3.6f, kTallestFruitTree = 5.6f;  // m
 constexpr float kLowestHedgeTree = 7, kTallestHedgeTree = 12;       // m
 constexpr float kTallerAtBrook = 0.45f;                             // share, of alder
@@ -273,17 +273,18 @@ class FreeGround {
     glm::dvec2 nearest(glm::dvec2 at, double closed, float turn) const {
         if (is_free(at, closed)) return at;
         const bool outside = around_.away(at) > 0;
-        for (double reach = kRing; reach <= kFarthest; reach += kRing)
+        for (int ring = 1; ring <= kRings; ++ring)
             for (int i = 0; i < kDirections; ++i) {
                 const float share = turn + static_cast<float>(i) / kDirections;
-                const glm::dvec2 beside = at + reach * glm::dvec2(direction_of(share - std::floor(share)));
+                const glm::dvec2 beside =
+                    at + ring * kRing * glm::dvec2(direction_of(share - std::floor(share)));
                 if (is_free(beside, closed) && (around_.away(beside) > 0) == outside) return beside;
             }
         return at;
     }
 
   private:
-    static constexpr double kFromWater = 1, kEdge = 2.5, kRing = 1.5, kFarthest = 18;  // m
+    static constexpr double kFromWater = 1, kEdge = 2.5, kRing = 1.5;  // m
 
     bool is_edge(glm::dvec2 at, int use) const {
         const auto differs = [&](double x, double y) {
@@ -291,7 +292,7 @@ class FreeGround {
         };
         return differs(kEdge, 0) || differs(-kEdge, 0) || differs(0, kEdge) || differs(0, -kEdge);
     }
-    static constexpr int kDirections = 12;
+    static constexpr int kDirections = 12, kRings = 12;
 
     const Surroundings& around_;
     const Land& land_;
@@ -340,7 +341,7 @@ void move_to_free_ground(const Surroundings& around, const FreeGround& free, Tre
 
 // How close to a thicket of alder and willow a bank is, 0 to 1.
 double thicket_at_brook(glm::dvec2 at, double to_brook, std::uint32_t seed) {
-    return ramp(8, 2.5, to_brook) * ramp(-0.35, 0.25, noise(at, 27, seed + 10));
+    return 0.7 * ramp(6.5, 2, to_brook) * ramp(-0.25, 0.3, noise(at, 27, seed + 10));
 }
 
 // Bushes of a mixed wood, one place in each square of a finer lattice.

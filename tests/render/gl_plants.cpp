@@ -55,7 +55,7 @@ TEST_F(Plants, are_wet_before_the_front_of_mud) {
         look.date = date, look.sheen = sheen;
         FrameInput input{world.view(), from_above({305, 300, 60}, 40), {180, 50}, look};
         input.width = input.height = 128;
-        EXPECT_TRUE(renderer_->load(look));
+        EXPECT_TRUE(renderer_->load(look, false));
         renderer_->draw(input);
         return renderer_->read_back();
     };
