@@ -70,6 +70,7 @@ constexpr Room kRooms[] = {
     {"sim/world", 1, "world", "state, commands, hash"},
     {"sim/fields", 4, "fields", "known fronts"},
     {"sim/powder", 2, "powder", "powder above a flow"},
+    {"sim/carried", 6, "carried", "boulders and trunks"},
     {"sim/front", 4, "front", "fronts and textures"},
     {"sim/simd", 2, "simd", "numbers of any width"},
     {"sim/core", 2, "core", "grid, field, threads"},

@@ -224,8 +224,10 @@ void Session::follow_powder(const Scenario& scenario) {
 
 void Session::follow_carried(const Scenario& scenario) {
     const render::Look& look = scenario.look;
-    if (scenario.model || scenario.flow || !render::carries(look, scenario.lower.has_value())) return;
-    carried_.emplace(scenario.depth, render::is_soil(look.standing), render::is_soil(look.lower_standing));
+    if (scenario.model || scenario.flow || !look.date) return;
+    const auto is_soil = [](const glm::vec3& standing) { return standing.g < 0.4f; };  // dark, unlike snow
+    const bool upper = is_soil(look.standing), lower = scenario.lower && is_soil(look.lower_standing);
+    if (upper || lower) carried_.emplace(scenario.depth, upper, lower);
 }
 
 // While nothing moves, the cloud settles; after that nothing is left to do.

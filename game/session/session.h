@@ -14,8 +14,8 @@
 #include "game/session/attempt_watch.h"
 #include "game/session/peak_watch.h"
 #include "game/session/world_fronts.h"
-#include "render/flow/carried.h"
 #include "render/view/flow_so_far.h"
+#include "sim/carried/carried.h"
 #include "sim/engine.h"
 #include "sim/powder/cloud.h"
 #include "sim/world/snapshot.h"
@@ -41,7 +41,7 @@ class Session {
         sim::Snapshot world;
         std::optional<sim::front::TextureLayers::Memory> textures;
         std::vector<sim::powder::Puff> powder;
-        std::vector<render::CarriedBody> carried;
+        std::vector<sim::carried::Body> carried;
         Peaks peaks;
         std::optional<AttemptWatch> challenge;
         StateLine line;
@@ -64,8 +64,8 @@ class Session {
     // Starts the boulders that flows of soil carry, if its look has a date and is not "model".
     void follow_carried(const Scenario& scenario);
     // Empty if they are not followed.
-    std::span<const render::CarriedBody> carried() const {
-        return carried_ ? carried_->bodies() : std::span<const render::CarriedBody>();
+    std::span<const sim::carried::Body> carried() const {
+        return carried_ ? carried_->bodies() : std::span<const sim::carried::Body>();
     }
     // Empty if it is not followed.
     std::span<const sim::powder::Puff> powder() const {
@@ -160,7 +160,7 @@ class Session {
     std::unique_ptr<sim::fields::FlowStage> stage_;
     std::unique_ptr<WorldFronts> fronts_;
     std::optional<sim::powder::Cloud> powder_;
-    std::optional<render::Carried> carried_;
+    std::optional<sim::carried::Carried> carried_;
     std::optional<Densities> densities_;
     PeakWatch peaks_;
     StructureWatch structures_;

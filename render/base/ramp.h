@@ -1,16 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <concepts>
-#include <type_traits>
+#include "sim/core/ramp.h"
 
 namespace render {
 
-// 0 up to `from`, 1 from `to` on, smooth between; `from` may be the larger one.
-template <std::floating_point Real>
-Real ramp(std::type_identity_t<Real> from, std::type_identity_t<Real> to, Real x) {
-    const Real t = std::clamp((x - from) / (to - from), Real(0), Real(1));
-    return t * t * (3 - 2 * t);
-}
+using sim::ramp;
 
 }  // namespace render

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/base/ramp.h"
-#include "render/flow/trunk.h"
+#include "sim/carried/trunk.h"
 
 namespace render {
 namespace {
@@ -37,13 +37,14 @@ struct Shade {
 };
 
 // Height of a body above the surface, m.
-float height_of(const CarriedBody& body) {
-    return (1 - body.sunk) * (body.kind == CarriedKind::kTrunk ? thickness_of(body) : body.size);
+float height_of(const sim::carried::Body& body) {
+    return (1 - body.sunk) *
+           (body.kind == sim::carried::Kind::kTrunk ? sim::carried::thickness_of(body) : body.size);
 }
-float along(const CarriedBody& body, const Shade& shade) {
+float along(const sim::carried::Body& body, const Shade& shade) {
     return shade.per_height * height_of(body);
 }
-float beside(const CarriedBody& body) {
+float beside(const sim::carried::Body& body) {
     return 0.8f * body.size + 0.3f;
 }
 
@@ -55,26 +56,26 @@ int level_of(float pixels) {
 
 }  // namespace
 
-float CarriedInView::reach(const CarriedBody& body, const FrameBlock& frame) {
+float CarriedInView::reach(const sim::carried::Body& body, const FrameBlock& frame) {
     return beside(body) + along(body, Shade(frame));
 }
 
 void CarriedInView::reserve() {
-    bodies_.reserve(Carried::kMost);
+    bodies_.reserve(sim::carried::Carried::kMost);
     vertices_.reserve(kMostVertices);
-    shadows_.reserve(6 * Carried::kMost);
+    shadows_.reserve(6 * sim::carried::Carried::kMost);
 }
 
-void CarriedInView::find(std::span<const CarriedBody> bodies, const FrameBlock& frame,
+void CarriedInView::find(std::span<const sim::carried::Body> bodies, const FrameBlock& frame,
                          const OnScreen& screen) {
     bodies_.clear(), vertices_.clear(), shadows_.clear();
     const glm::vec3 eye(frame.eye);
     const Shade shade(frame);
     const float pixel = frame.material.y * frame.material.z;  // m at a distance of 1 m
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const CarriedBody& body = bodies[i];
+        const sim::carried::Body& body = bodies[i];
         const float pixels = body.size / (std::max(glm::distance(body.at, eye), 0.1f) * pixel);
-        const bool is_trunk = body.kind == CarriedKind::kTrunk;
+        const bool is_trunk = body.kind == sim::carried::Kind::kTrunk;
         if (pixels < (is_trunk ? kLeastOfTrunk : kLeastPixels) || body.sunk > 0.97f) continue;
         const glm::vec3 tip = body.at + glm::vec3(along(body, shade) * shade.away, 0);
         const Rectangle seen =
@@ -92,11 +93,11 @@ void CarriedInView::find(std::span<const CarriedBody> bodies, const FrameBlock& 
     }
 }
 
-void CarriedInView::add_boulder(const CarriedBody& body, float pixels) {
-    const RockMesh& rock = rocks_[static_cast<std::size_t>(own(body, 5) * kRocks)];
+void CarriedInView::add_boulder(const sim::carried::Body& body, float pixels) {
+    const RockMesh& rock = rocks_[static_cast<std::size_t>(sim::carried::own(body, 5) * kRocks)];
     const bool is_crowded = vertices_.size() + rock[0].size() + kReserved > kMostVertices;
     const auto& corners = is_crowded ? rock.back() : rock[static_cast<std::size_t>(level_of(pixels))];
-    const float surface = body.at.z - (0.5f - body.sunk) * body.size, tone = own(body, 6);
+    const float surface = body.at.z - (0.5f - body.sunk) * body.size, tone = sim::carried::own(body, 6);
     for (const RockCorner& corner : corners) {
         const glm::vec3 at = body.at + rotated(body.turn, body.size * corner.at);
         const glm::vec3 facing = rotated(body.turn, corner.facing);
@@ -108,13 +109,13 @@ void CarriedInView::add_boulder(const CarriedBody& body, float pixels) {
 }
 
 // Mud covers it as far up as it is sunk, and all of its roots.
-void CarriedInView::add_trunk(const CarriedBody& body, float pixels) {
+void CarriedInView::add_trunk(const sim::carried::Body& body, float pixels) {
     const bool is_crowded = vertices_.size() + trunk_[0].size() + kReserved > kMostVertices;
     const auto& corners = trunk_[is_crowded || pixels < kFineTrunk];
-    const float thick = thickness_of(body), tone = 0.99f * own(body, 9);
+    const float thick = sim::carried::thickness_of(body), tone = 0.99f * sim::carried::own(body, 9);
     const glm::vec3 axis(body.turn), side = glm::normalize(glm::cross(glm::vec3(0, 0, 1), axis)),
                                      up = glm::cross(axis, side);
-    const float turn = 6.2832f * own(body, 10), c = std::cos(turn), s = std::sin(turn);
+    const float turn = 6.2832f * sim::carried::own(body, 10), c = std::cos(turn), s = std::sin(turn);
     const glm::vec3 y = c * side + s * up, z = c * up - s * side;
     const auto placed = [&](const glm::vec3& of, float along, float across) {
         return along * of.x * axis + across * (of.y * y + of.z * z);
@@ -130,13 +131,13 @@ void CarriedInView::add_trunk(const CarriedBody& body, float pixels) {
 }
 
 // Around the body's foot, where no sky is seen, and on to the shadow of its top.
-void CarriedInView::add_shadow(const CarriedBody& body, glm::vec2 away, float along) {
+void CarriedInView::add_shadow(const sim::carried::Body& body, glm::vec2 away, float along) {
     const glm::vec2 foot = glm::vec2(body.at) + 0.5f * along * away;
     glm::vec2 long_axis = away;
     float half = 0.72f * body.size, reach = 0.75f * body.size + 0.5f * along;
-    if (body.kind == CarriedKind::kTrunk) {
+    if (body.kind == sim::carried::Kind::kTrunk) {
         long_axis = glm::normalize(glm::vec2(body.turn));
-        half = 1.1f * thickness_of(body) + 0.5f * along, reach = 0.56f * body.size;
+        half = 1.1f * sim::carried::thickness_of(body) + 0.5f * along, reach = 0.56f * body.size;
     }
     const glm::vec2 aside(-long_axis.y, long_axis.x);
     const float strength = 0.9f * ramp(1.f, 0.6f, body.sunk);

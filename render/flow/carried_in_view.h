@@ -9,11 +9,11 @@
 #include <glm/vec4.hpp>
 
 #include "render/base/rectangle.h"
-#include "render/flow/carried.h"
 #include "render/flow/rock_mesh.h"
 #include "render/flow/trunk_mesh.h"
 #include "render/view/frame_block.h"
 #include "render/view/on_screen.h"
+#include "sim/carried/carried.h"
 
 namespace render {
 
@@ -39,9 +39,9 @@ class CarriedInView {
     // Takes memory for all that it may find.
     void reserve();
     // Finds those that a camera sees. Makes no triangle for what is smaller than a sample.
-    void find(std::span<const CarriedBody> bodies, const FrameBlock& frame, const OnScreen& screen);
+    void find(std::span<const sim::carried::Body> bodies, const FrameBlock& frame, const OnScreen& screen);
     // How far from its middle a body and its shadow reach in plan, m.
-    static float reach(const CarriedBody& body, const FrameBlock& frame);
+    static float reach(const sim::carried::Body& body, const FrameBlock& frame);
     bool empty() const { return bodies_.empty(); }
 
     // A body in view: which it is, where it and its shadow appear, and its vertices.
@@ -55,9 +55,9 @@ class CarriedInView {
     std::span<const CarriedShadowVertex> shadows() const { return shadows_; }
 
   private:
-    void add_boulder(const CarriedBody& body, float pixels);
-    void add_trunk(const CarriedBody& body, float pixels);
-    void add_shadow(const CarriedBody& body, glm::vec2 away, float along);
+    void add_boulder(const sim::carried::Body& body, float pixels);
+    void add_trunk(const sim::carried::Body& body, float pixels);
+    void add_shadow(const sim::carried::Body& body, glm::vec2 away, float along);
 
     std::array<RockMesh, kRocks> rocks_ = rock_meshes();
     std::array<std::vector<TrunkCorner>, kTrunkLevels> trunk_ = trunk_mesh();

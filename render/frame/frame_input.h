@@ -9,13 +9,13 @@
 #include "render/mountain/land.h"
 #include "render/mountain/surroundings.h"
 #include "render/view/camera.h"
-#include "render/view/carried_body.h"
 #include "render/view/flow_so_far.h"
 #include "render/view/ground_kind.h"
 #include "render/view/lens.h"
 #include "render/view/look.h"
 #include "render/view/wind.h"
 #include "render/woods/woods.h"
+#include "sim/carried/body.h"
 #include "sim/front/flow_view.h"
 #include "sim/powder/cloud.h"
 #include "sim/world/state.h"
@@ -58,7 +58,7 @@ struct FrameInput {
     std::span<const sim::powder::Puff> powder = {};
     float powder_strength = 1;  // 0 to 1, factor on its opacity; 0: none is drawn
     // What flows of soil carry; valid during the call. Not drawn without a date and under an overlay.
-    std::span<const CarriedBody> carried = {};
+    std::span<const sim::carried::Body> carried = {};
     // Of these surroundings, without which no trees are drawn. If null, there are none.
     const Woods* woods = nullptr;
     // What the flow has done until now, for trees to lie where it was; valid during the call.

@@ -51,18 +51,19 @@ void CarriedPass::make_room() {
     has_room_ = true;
     for (auto [array, buffer, vertices, attributes] :
          {std::tuple{&array_, &vertices_, CarriedInView::kMostVertices, 3u},
-          std::tuple{&shadow_array_, &shadow_vertices_, 6 * Carried::kMost, 2u}}) {
+          std::tuple{&shadow_array_, &shadow_vertices_, 6 * sim::carried::Carried::kMost, 2u}}) {
         *array = make_vertex_array();
         *buffer = make_buffer();
-        glNamedBufferStorage(buffer->name(), static_cast<GLsizeiptr>(vertices * attributes * sizeof(glm::vec4)),
-                             nullptr, GL_DYNAMIC_STORAGE_BIT);
+        glNamedBufferStorage(buffer->name(),
+                             static_cast<GLsizeiptr>(vertices * attributes * sizeof(glm::vec4)), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT);
         describe(*array, *buffer, attributes);
     }
     in_view_.reserve();
-    known_.reserve(Carried::kMost);
-    changed_.reserve(Carried::kMost);
-    for (auto* each : {&firsts_, &shadow_firsts_}) each->reserve(Carried::kMost);
-    for (auto* each : {&counts_, &shadow_counts_}) each->reserve(Carried::kMost);
+    known_.reserve(sim::carried::Carried::kMost);
+    changed_.reserve(sim::carried::Carried::kMost);
+    for (auto* each : {&firsts_, &shadow_firsts_}) each->reserve(sim::carried::Carried::kMost);
+    for (auto* each : {&counts_, &shadow_counts_}) each->reserve(sim::carried::Carried::kMost);
 }
 
 void CarriedPass::send() {
@@ -73,7 +74,7 @@ void CarriedPass::send() {
     send(shadow_vertices_, in_view_.shadows());
 }
 
-void CarriedPass::find_changed(std::span<const CarriedBody> bodies) {
+void CarriedPass::find_changed(std::span<const sim::carried::Body> bodies) {
     changed_.assign(std::max(bodies.size(), known_.size()), 1);
     for (std::size_t i = 0; i < std::min(bodies.size(), known_.size()); ++i)
         changed_[i] = bodies[i] != known_[i];
@@ -87,8 +88,8 @@ void CarriedPass::mark(const CarriedInView& bodies, std::span<const std::uint8_t
 }
 
 void CarriedPass::find(const FrameInput& input, const Redraw& redraw) {
-    const std::span<const CarriedBody> bodies =
-        input.may_have_carried() ? input.carried : std::span<const CarriedBody>();
+    const std::span<const sim::carried::Body> bodies =
+        input.may_have_carried() ? input.carried : std::span<const sim::carried::Body>();
     if (input.may_have_carried()) make_room();
     if (bodies.empty() && known_.empty()) return;
     find_changed(bodies);
@@ -101,7 +102,7 @@ void CarriedPass::find(const FrameInput& input, const Redraw& redraw) {
     if (redraw.everything) return;
     mark(in_view_, changed_, redraw.tiles);
     for (const CarriedInView::InView& each : in_view_.bodies()) {
-        const CarriedBody& body = bodies[each.body];
+        const sim::carried::Body& body = bodies[each.body];
         const float reach = CarriedInView::reach(body, redraw.frame);
         if (redraw.changed.is_near(glm::vec2(body.at) - reach, glm::vec2(body.at) + reach))
             redraw.tiles.mark(each.seen);

@@ -29,7 +29,7 @@ class CarriedPass {
     void make_room();
     void send();
     void mark(const CarriedInView& bodies, std::span<const std::uint8_t> changed, ScreenTiles& tiles) const;
-    void find_changed(std::span<const CarriedBody> bodies);
+    void find_changed(std::span<const sim::carried::Body> bodies);
     void list(const Rectangle& part);
 
     ProgramName program_, shadow_program_;
@@ -37,8 +37,8 @@ class CarriedPass {
     Buffer vertices_, shadow_vertices_;
     bool has_room_ = false;  // in these buffers
     CarriedInView in_view_;
-    std::vector<CarriedBody> known_;     // of the last frame
-    std::vector<std::uint8_t> changed_;  // of each body: not 0 if it is not as in the last frame
+    std::vector<sim::carried::Body> known_;  // of the last frame
+    std::vector<std::uint8_t> changed_;      // of each body: not 0 if it is not as in the last frame
     std::vector<GLint> firsts_, shadow_firsts_;
     std::vector<GLsizei> counts_, shadow_counts_;
 };

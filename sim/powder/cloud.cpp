@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/core/check.h"
+#include "sim/core/ramp.h"
 
 namespace sim::powder {
 namespace {
@@ -31,11 +32,6 @@ constexpr float kSettling = 0.6f;  // m/s
 constexpr float kFadeIn = 0.3f;    // s
 constexpr float kSkirt = 0.3f;     // of the births at a front: low fine dust, thrown to the sides
 constexpr float kBlastSpeed = 9, kFountainSpeed = 34, kRingSpeed = 17;  // m/s, of what a blast throws up
-
-float smoothstep(float from, float to, float value) {
-    const float t = std::clamp((value - from) / (to - from), 0.f, 1.f);
-    return t * t * (3 - 2 * t);
-}
 
 // Random numbers of one birth: 0 to 1, excluding 1.
 class Random {
@@ -111,7 +107,7 @@ float frontness(const View& world, int x, int y, glm::vec2 velocity, float speed
         const int at_x = x + static_cast<int>(std::floor(to.x)),
                   at_y = y + static_cast<int>(std::floor(to.y));
         if (!world.grid.contains(at_x, at_y)) return 0.f;
-        return 1 - smoothstep(0.015f, 0.15f, world.rolling(at_x, at_y));
+        return 1 - ramp(0.015f, 0.15f, world.rolling(at_x, at_y));
     };
     const float head = std::max(thin(ahead, 0.4f), thin(ahead, 1));
     const float flank = std::max(thin(ahead + 0.9f * aside, 0.7f), thin(ahead - 0.9f * aside, 0.7f));
@@ -127,8 +123,8 @@ float radius(const Puff& puff) {
 
 float opacity(const Puff& puff) {
     const float a = puff.age_s / puff.life_s;
-    return puff.density * smoothstep(0, kFadeIn, puff.age_s) *
-           (1 - smoothstep(0, 0.8f, a) * (0.75f + 0.25f * smoothstep(0.5f, 1, a)));
+    return puff.density * ramp(0, kFadeIn, puff.age_s) *
+           (1 - ramp(0, 0.8f, a) * (0.75f + 0.25f * ramp(0.5f, 1, a)));
 }
 
 Cloud::Cloud(const Rule& upper, const Rule& lower, glm::vec2 wind)
@@ -147,7 +143,7 @@ void Cloud::move(const View& world, float dt_s) {
         const Place before = place_of(world.grid, puff.at.x, puff.at.y);
         const float ground_before = surface(world, before);
         const glm::vec2 fall = slope(world, before.x, before.y);
-        const float flows = smoothstep(kThinnest, kThick, between(before, world.rolling));
+        const float flows = ramp(kThinnest, kThick, between(before, world.rolling));
         const float height = std::max(puff.at.z - ground_before, 0.f);
         const float windy = height / (height + kHalfWind) * (puff.age_s / (puff.age_s + kWindAge));
         const glm::vec2 air =
@@ -208,13 +204,13 @@ void Cloud::give_birth_in(const View& world, float dt_s, int y, int first, int l
         const float speed_2 = glm::dot(velocity, velocity);
         if (rule.strength <= 0 || speed_2 < rule.speed * rule.speed) continue;
         const float speed = std::sqrt(speed_2);
-        const float fast = smoothstep(rule.speed, kFullSpeed * rule.speed, speed) *
-                           smoothstep(kThinnest, kThick, rolling[x]);
+        const float fast =
+            ramp(rule.speed, kFullSpeed * rule.speed, speed) * ramp(kThinnest, kThick, rolling[x]);
         if (fast < 0.02f) continue;
 
         const float front = frontness(world, x, y, velocity, speed);
         const glm::vec2 rise = slope(world, x, y);
-        const float steep = smoothstep(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
+        const float steep = ramp(0.8f, 1.4f, std::sqrt(glm::dot(rise, rise)));
         const float size =
             std::clamp(kRadiusPerSpeed * speed * std::min(kShallow + kPerDepth * rolling[x], kDeep),
                        kSmallest, kLargest);
@@ -260,7 +256,7 @@ void Cloud::blast(const View& world, glm::vec2 at, float radius) {
     if (middle.outside) return;
     const float lies = between(middle, world.depth) + between(middle, world.rolling);
     const Rule rule = rule_of(world, middle.x, middle.y);
-    const float density = rule.strength * smoothstep(kThinnest, kThick, lies);
+    const float density = rule.strength * ramp(kThinnest, kThick, lies);
     if (density <= 0) return;
     // A fountain in the middle, and a low ring that runs out over the snow.
     Random random(world.tick, static_cast<int>(at.x), static_cast<int>(at.y));

@@ -15,7 +15,7 @@ class CarriedBySlide : public DrawnScene {
         overrides.squares = 56;
         scene_ = load_scene("hillside", overrides).value();
         scene_.scenario.look.flow.reset();
-        ASSERT_TRUE(renderer_->load(scene_.scenario.look));
+        ASSERT_TRUE(renderer_->load(scene_.scenario.look, false));
         mountains_ = mountains_around(scene_.scenario);
     }
 
@@ -53,8 +53,8 @@ TEST_F(CarriedBySlide, changes_nothing_of_the_world) {
 
 TEST_F(CarriedBySlide, is_drawn_in_parts_as_in_whole_frames) {
     std::optional<render::Renderer> whole;
-    ASSERT_NO_FATAL_FAILURE(make(whole));
-    ASSERT_TRUE(whole->load(scene_.scenario.look));
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(whole, render::Quality::kFast));
+    ASSERT_TRUE(whole->load(scene_.scenario.look, false));
     Sandbox sandbox = this->sandbox();
     int in_parts = 0;
     static_cast<void>(played(sandbox, 1900, 20, [&](const Session& session) {

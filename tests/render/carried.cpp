@@ -1,4 +1,4 @@
-#include "render/flow/carried.h"
+#include "sim/carried/carried.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,10 @@ class CarriedBodies : public testing::Test {
         world_.rolling.fill(0);
         world_.velocity_x.fill(0);
     }
-    void run(Carried& carried, int ticks) {
+    void run(sim::carried::Carried& carried, int ticks) {
         for (int i = 0; i < ticks; ++i) carried.advance(world_.view(), kTick);
     }
-    static std::vector<CarriedBody> copy(const Carried& carried) {
+    static std::vector<sim::carried::Body> copy(const sim::carried::Carried& carried) {
         return {carried.bodies().begin(), carried.bodies().end()};
     }
 
@@ -48,7 +48,7 @@ class CarriedBodies : public testing::Test {
 };
 
 TEST_F(CarriedBodies, are_laid_bare_by_what_erodes_their_soil_and_flows) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     run(carried, 60);
     EXPECT_TRUE(carried.bodies().empty());
     erode(3, 1, 6);
@@ -64,31 +64,31 @@ TEST_F(CarriedBodies, are_laid_bare_by_what_erodes_their_soil_and_flows) {
 }
 
 TEST_F(CarriedBodies, are_none_in_a_material_without_any) {
-    Carried carried(first_depth_, false, true);
+    sim::carried::Carried carried(first_depth_, false, true);
     erode(3, 2);
     run(carried, 60);
     EXPECT_TRUE(carried.bodies().empty());
 }
 
 TEST_F(CarriedBodies, are_fewer_the_larger_they_are) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     erode(3, 2, 30);
     run(carried, 1);
     const auto larger = [&](float size) {
         return static_cast<double>(std::ranges::count_if(
-            carried.bodies(), [&](const CarriedBody& body) { return body.size > size; }));
+            carried.bodies(), [&](const sim::carried::Body& body) { return body.size > size; }));
     };
     const double all = larger(0);
-    EXPECT_EQ(larger(Carried::kLargest), 0);
+    EXPECT_EQ(larger(sim::carried::Carried::kLargest), 0);
     EXPECT_NEAR(larger(0.6f) / all, std::pow(0.5, 2.5), 0.05);
     EXPECT_NEAR(larger(1.2f) / all, std::pow(0.25, 2.5), 0.02);
 }
 
 TEST_F(CarriedBodies, travel_with_the_flow_and_come_to_rest_half_sunk) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     erode(4, 2);
     run(carried, 1);
-    const std::vector<CarriedBody> begin = copy(carried);
+    const std::vector<sim::carried::Body> begin = copy(carried);
     run(carried, 120);
     double mean = 0;
     for (std::size_t i = 0; i < begin.size(); ++i)
@@ -99,20 +99,20 @@ TEST_F(CarriedBodies, travel_with_the_flow_and_come_to_rest_half_sunk) {
     stop();
     run(carried, 3600);
     EXPECT_FALSE(carried.advance(world_.view(), kTick)) << "all rest";
-    for (const CarriedBody& body : carried.bodies()) EXPECT_LT(body.sunk, 0.7f);
+    for (const sim::carried::Body& body : carried.bodies()) EXPECT_LT(body.sunk, 0.7f);
 }
 
 TEST_F(CarriedBodies, continue_to_the_bit_after_they_were_put_back) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     erode(4, 1);
     run(carried, 40);
-    const std::vector<CarriedBody> then = copy(carried);
+    const std::vector<sim::carried::Body> then = copy(carried);
     erode(4, 2, 14);
     run(carried, 80);
-    const std::vector<CarriedBody> later = copy(carried);
+    const std::vector<sim::carried::Body> later = copy(carried);
     EXPECT_NE(then, later);
-    Carried other(first_depth_, true, false);
-    for (Carried* each : {&carried, &other}) {
+    sim::carried::Carried other(first_depth_, true, false);
+    for (sim::carried::Carried* each : {&carried, &other}) {
         each->restore(then);
         run(*each, 80);
         EXPECT_EQ(copy(*each), later);
@@ -125,11 +125,12 @@ TEST_F(CarriedBodies, stop_at_the_walls_of_a_house) {
     house.x = 150, house.y = 200;
     house.length = 400, house.width = 12, house.height = 8, house.strength = 30;
     world_.things->list.push_back(house);
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     erode(6, 1, 14);
     run(carried, 1200);
-    const bool any_passed = std::ranges::any_of(
-        carried.bodies(), [](const CarriedBody& body) { return body.at.x > 150 && body.velocity.x > 1; });
+    const bool any_passed = std::ranges::any_of(carried.bodies(), [](const sim::carried::Body& body) {
+        return body.at.x > 150 && body.velocity.x > 1;
+    });
     EXPECT_FALSE(any_passed);
 }
 
@@ -146,7 +147,7 @@ class CarriedTrunks : public CarriedBodies {
 };
 
 TEST_F(CarriedTrunks, are_as_many_as_trees_lie_where_soil_flows) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     run(carried, 60);
     EXPECT_TRUE(carried.bodies().empty());
     world_.depth.fill(0);
@@ -154,17 +155,17 @@ TEST_F(CarriedTrunks, are_as_many_as_trees_lie_where_soil_flows) {
     world_.depth.fill(kSoil);  // nothing is eroded
     run(carried, 3);
     EXPECT_NEAR(static_cast<double>(carried.bodies().size()), 30 * 4 * 200 * 100 / 1e4, 2);
-    for (const CarriedBody& body : carried.bodies()) EXPECT_EQ(body.kind, CarriedKind::kTrunk);
+    for (const sim::carried::Body& body : carried.bodies()) EXPECT_EQ(body.kind, sim::carried::Kind::kTrunk);
 }
 
 TEST_F(CarriedTrunks, turn_with_the_shear_of_the_flow_and_stop_with_it) {
-    Carried carried(first_depth_, true, false);
+    sim::carried::Carried carried(first_depth_, true, false);
     erode(3, 1, 30);
     world_.depth.fill(kSoil);
     for (int y = 0; y <= kSquares; ++y)
         for (int x = 0; x <= kSquares; ++x) world_.velocity_x(x, y) = 0.5f + 0.15f * static_cast<float>(y);
     run(carried, 1);
-    std::vector<CarriedBody> begin = copy(carried);
+    std::vector<sim::carried::Body> begin = copy(carried);
     run(carried, 60);
     int clockwise = 0, turned = 0;
     for (std::size_t i = 0; i < begin.size(); ++i) {

@@ -57,6 +57,7 @@ std::vector<Room> make_rooms() {
                          "sim/core/"});
     in_sim("sim/front", {"sim/front/", "sim/simd/", "sim/core/"});
     in_sim("sim/powder", {"sim/powder/", "sim/world/", "sim/core/"});
+    in_sim("sim/carried", {"sim/carried/", "sim/world/", "sim/core/"});
     in_sim("sim/fields", {"sim/fields/", "sim/front/", "sim/core/"});
     in_sim("sim", {"sim/"});
 

@@ -7,14 +7,13 @@
 
 #include <glm/vec3.hpp>
 
-#include "render/view/carried_body.h"
-#include "render/view/look.h"
+#include "sim/carried/body.h"
 #include "sim/world/state.h"
 
-namespace render {
+namespace sim::carried {
 
 // A number of the body's own, 0 to 1, excluding 1; `which` tells its numbers apart.
-float own(const CarriedBody& body, std::uint32_t which);
+float own(const Body& body, std::uint32_t which);
 
 // What a flow of soil carries. Boulders lie in the soil of tick 0, at places and depths that only depend on the vertex. A flow
 // that erodes so far lays them bare. They ride high in it, a little faster than its mean, so that they gather at its front
@@ -38,30 +37,25 @@ class Carried {
     Carried(std::span<const float> first_depth, bool upper, bool lower);
 
     // Advances to `world`, `dt_s` later, > 0. Returns whether anything changed.
-    bool advance(const sim::View& world, float dt_s);
+    bool advance(const View& world, float dt_s);
 
-    std::span<const CarriedBody> bodies() const { return bodies_; }
-    void restore(std::span<const CarriedBody> bodies);
+    std::span<const Body> bodies() const { return bodies_; }
+    void restore(std::span<const Body> bodies);
 
   private:
-    bool move(const sim::View& world, float dt_s);
-    void take_up(const sim::View& world);
-    void take_up_in(const sim::View& world, int y, int first, int last);
-    void lay_bare(const sim::View& world, int x, int y, float eroded);
-    void fell(const sim::View& world, int x, int y, const sim::Stems& stems);
-    bool is_of_soil(const sim::View& world, int x, int y) const;
+    bool move(const View& world, float dt_s);
+    void take_up(const View& world);
+    void take_up_in(const View& world, int y, int first, int last);
+    void lay_bare(const View& world, int x, int y, float eroded);
+    void fell(const View& world, int x, int y, const Stems& stems);
+    bool is_of_soil(const View& world, int x, int y) const;
 
     std::vector<float> first_depth_;  // m
     bool upper_, lower_;
-    std::vector<CarriedBody> bodies_;  // in the order in which they were taken up
-    std::size_t trunks_ = 0;           // of these
+    std::vector<Body> bodies_;  // in the order in which they were taken up
+    std::size_t trunks_ = 0;    // of these
     std::vector<std::uint8_t> bare_,
         felled_;  // of each vertex: bit i, its boulder or its tree i was taken up
 };
 
-// Whether the look of a world shows what flows carry: where plants are drawn by a date, and a material is soil.
-bool carries(const Look& look, bool has_lower);
-// The same of its upper and lower material: dark, unlike snow.
-bool is_soil(const glm::vec3& standing);
-
-}  // namespace render
+}  // namespace sim::carried

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace render {
+namespace sim::carried {
 
 // Bits by chance from a seed (splitmix64).
 inline std::uint32_t mixed(std::uint64_t seed) {
@@ -17,4 +17,4 @@ inline float share_of(std::uint32_t bits) {
     return static_cast<float>(bits >> 8) / 16777216.f;
 }
 
-}  // namespace render
+}  // namespace sim::carried

@@ -1,4 +1,4 @@
-#include "render/flow/trunk.h"
+#include "sim/carried/trunk.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/base/ramp.h"
-#include "render/flow/ground_at.h"
-#include "render/flow/hash.h"
+#include "sim/carried/ground_at.h"
+#include "sim/carried/hash.h"
+#include "sim/core/ramp.h"
 
-namespace render {
+namespace sim::carried {
 namespace {
 
 constexpr float kTrunkTakesOn = 0.5f;  // s, in which a trunk takes on the speed of a flow
@@ -30,8 +30,7 @@ struct Hold {
     GroundAt ground;
     float strength;  // 0 to 1
 };
-std::array<Hold, 2> holds_of(const sim::View& world, std::span<const float> first_depth,
-                             const CarriedBody& trunk) {
+std::array<Hold, 2> holds_of(const View& world, std::span<const float> first_depth, const Body& trunk) {
     std::array<Hold, 2> holds;
     for (std::size_t i = 0; i < holds.size(); ++i) {
         const glm::vec2 half = (i == 0 ? -0.35f : 0.35f) * trunk.size * glm::vec2(trunk.turn);
@@ -42,7 +41,7 @@ std::array<Hold, 2> holds_of(const sim::View& world, std::span<const float> firs
 }
 
 // Height and tilt: between the surface under its halves, sunk, with one end higher.
-void rest_on(const std::array<Hold, 2>& holds, float dt_s, CarriedBody& trunk) {
+void rest_on(const std::array<Hold, 2>& holds, float dt_s, Body& trunk) {
     const float rise = (holds[1].ground.surface - holds[0].ground.surface) / (0.7f * trunk.size);
     const float raised = kRaised * (own(trunk, 7) - 0.35f) * (0.4f + 0.6f * trunk.sunk);
     const glm::vec3 wanted = glm::normalize(glm::vec3(glm::normalize(glm::vec2(trunk.turn)), rise + raised));
@@ -61,11 +60,11 @@ void rest_on(const std::array<Hold, 2>& holds, float dt_s, CarriedBody& trunk) {
 
 }  // namespace
 
-float thickness_of(const CarriedBody& trunk) {
+float thickness_of(const Body& trunk) {
     return trunk.size * (0.034f + 0.014f * own(trunk, 6));
 }
 
-void move_trunk(const sim::View& world, std::span<const float> first_depth, float dt_s, CarriedBody& trunk) {
+void move_trunk(const View& world, std::span<const float> first_depth, float dt_s, Body& trunk) {
     const std::array<Hold, 2> before = holds_of(world, first_depth, trunk);
     if (before[0].ground.outside || before[1].ground.outside) return;
     const float firm = 0.5f * (before[0].strength + before[1].strength);
@@ -88,4 +87,4 @@ void move_trunk(const sim::View& world, std::span<const float> first_depth, floa
     rest_on(holds_of(world, first_depth, trunk), dt_s, trunk);
 }
 
-}  // namespace render
+}  // namespace sim::carried

@@ -1,15 +1,15 @@
-#include "render/flow/boulder.h"
+#include "sim/carried/boulder.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "render/base/ramp.h"
-#include "render/flow/ground_at.h"
-#include "render/flow/hash.h"
+#include "sim/carried/ground_at.h"
+#include "sim/carried/hash.h"
+#include "sim/core/ramp.h"
 
-namespace render {
+namespace sim::carried {
 namespace {
 
 constexpr float kGravity = 9.81f;  // m/s²
@@ -32,13 +32,13 @@ glm::vec4 turned(const glm::vec4& q, const glm::vec3& spin, float dt_s) {
 }
 
 // Friction of a boulder that rolls: most are blocky and stay where they are left, few are round and run out.
-float rolling_friction(const CarriedBody& body) {
+float rolling_friction(const Body& body) {
     const float round = own(body, 1);
     return round < 0.65f ? 0.55f + 0.4f * own(body, 2) : 0.14f + 0.3f * own(body, 2);
 }
 
 // How far a boulder sinks into what is soft under it, as a share of its size.
-float rest_of(const CarriedBody& body, float soft) {
+float rest_of(const Body& body, float soft) {
     const float wanted = 0.22f + 0.45f * own(body, 3);
     return std::max(std::min(wanted, 0.8f * soft / body.size), 0.06f);
 }
@@ -48,7 +48,7 @@ struct Drive {
     glm::vec2 velocity;
     float strength;  // 0 to 1
 };
-Drive drive_of(const sim::View& world, const CarriedBody& body, const GroundAt& here) {
+Drive drive_of(const View& world, const Body& body, const GroundAt& here) {
     const float strength = ramp(0.08f * body.size, 0.5f * body.size, here.flow);
     if (strength <= 0) return {{0, 0}, 0};
     const float speed = glm::length(here.velocity);
@@ -62,7 +62,7 @@ Drive drive_of(const sim::View& world, const CarriedBody& body, const GroundAt& 
 }
 
 // Velocity in plan after dt: carried by the flow, else rolling on the ground.
-glm::vec2 driven(const sim::View& world, const CarriedBody& body, const GroundAt& here, float dt_s) {
+glm::vec2 driven(const View& world, const Body& body, const GroundAt& here, float dt_s) {
     glm::vec2 v(body.velocity);
     const Drive drive = drive_of(world, body, here);
     v += std::min(dt_s / kTakesOn, 1.f) * drive.strength * (drive.velocity - v);
@@ -75,14 +75,13 @@ glm::vec2 driven(const sim::View& world, const CarriedBody& body, const GroundAt
 }
 
 // Spin of a body that rolls over the ground without sliding; what rides in a flow turns less.
-glm::vec3 spin_of(const CarriedBody& body, const GroundAt& here) {
+glm::vec3 spin_of(const Body& body, const GroundAt& here) {
     const float rolls = 1 - 0.7f * ramp(0.1f * body.size, 0.6f * body.size, here.flow);
     return 2 * rolls / body.size * glm::vec3(-body.velocity.y, body.velocity.x, 0);
 }
 
 // Height: it follows the ground, or flies until it meets it again.
-void follow_ground(CarriedBody& body, const GroundAt& before, const GroundAt& now, std::int64_t tick,
-                   float dt_s) {
+void follow_ground(Body& body, const GroundAt& before, const GroundAt& now, std::int64_t tick, float dt_s) {
     const float along = (now.surface - before.surface) / dt_s;
     const float sinks = rest_of(body, now.flow + std::max(now.loose, 0.f)) - body.sunk;
     body.sunk +=
@@ -102,10 +101,10 @@ void follow_ground(CarriedBody& body, const GroundAt& before, const GroundAt& no
             speed * (0.08f + 0.22f * share_of(mixed(bits))) * (1 - 0.6f * ramp(0, body.size, now.flow));
 }
 
-bool is_built_on(const sim::View& world, const CarriedBody& body) {
+bool is_built_on(const View& world, const Body& body) {
     if (!world.things) return false;
     const glm::dvec2 at(body.at);
-    return std::ranges::any_of(world.things->list, [&](const sim::Thing& thing) {
+    return std::ranges::any_of(world.things->list, [&](const Thing& thing) {
         if (thing.is_line() || thing.destroyed()) return false;
         const glm::dvec2 from = at - glm::dvec2(thing.x, thing.y), along(thing.front_x, thing.front_y);
         const double reach = 0.45 * static_cast<double>(body.size);
@@ -116,7 +115,7 @@ bool is_built_on(const sim::View& world, const CarriedBody& body) {
 
 }  // namespace
 
-void move_boulder(const sim::View& world, std::span<const float> first_depth, float dt_s, CarriedBody& body) {
+void move_boulder(const View& world, std::span<const float> first_depth, float dt_s, Body& body) {
     const glm::vec3 was = body.at;
     const GroundAt before = ground_at(world, first_depth, glm::vec2(body.at));
     if (before.outside) return;
@@ -135,4 +134,4 @@ void move_boulder(const sim::View& world, std::span<const float> first_depth, fl
     follow_ground(body, before, now, world.tick, dt_s);
 }
 
-}  // namespace render
+}  // namespace sim::carried

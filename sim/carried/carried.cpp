@@ -1,18 +1,18 @@
-#include "render/flow/carried.h"
+#include "sim/carried/carried.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "render/base/ramp.h"
-#include "render/flow/boulder.h"
-#include "render/flow/ground_at.h"
-#include "render/flow/hash.h"
-#include "render/flow/trunk.h"
+#include "sim/carried/boulder.h"
+#include "sim/carried/ground_at.h"
+#include "sim/carried/hash.h"
+#include "sim/carried/trunk.h"
 #include "sim/core/check.h"
+#include "sim/core/ramp.h"
 
-namespace render {
+namespace sim::carried {
 namespace {
 
 constexpr double kHectare = 10'000;                      // m²
@@ -36,16 +36,16 @@ float chance_of_tree(std::size_t vertex, std::uint32_t which) {
 }
 
 // A trunk as it falls: along the flow, more or less.
-CarriedBody trunk_of(const sim::View& world, std::span<const float> first_depth, glm::ivec2 at_vertex,
-                     int number, const sim::Stems& stems) {
+Body trunk_of(const View& world, std::span<const float> first_depth, glm::ivec2 at_vertex, int number,
+              const Stems& stems) {
     const std::size_t vertex =
         static_cast<std::size_t>(at_vertex.y) * static_cast<std::size_t>(world.grid.nx) +
         static_cast<std::size_t>(at_vertex.x);
     const auto chance = [&](std::uint32_t which) {
         return chance_of_tree(vertex, static_cast<std::uint32_t>(16 * (number + 1)) + which);
     };
-    CarriedBody trunk;
-    trunk.kind = CarriedKind::kTrunk;
+    Body trunk;
+    trunk.kind = Kind::kTrunk;
     trunk.seed = (mixed(vertex << 20 | 0x80000u | static_cast<std::uint32_t>(16 * (number + 1) + 1)) & ~7u) |
                  static_cast<std::uint32_t>(number);
     trunk.vertex = static_cast<std::int32_t>(vertex);
@@ -64,16 +64,8 @@ CarriedBody trunk_of(const sim::View& world, std::span<const float> first_depth,
 
 }  // namespace
 
-float own(const CarriedBody& body, std::uint32_t which) {
+float own(const Body& body, std::uint32_t which) {
     return share_of(mixed(static_cast<std::uint64_t>(body.seed) << 32 | which));
-}
-
-bool is_soil(const glm::vec3& standing) {
-    return standing.g < 0.4f;
-}
-
-bool carries(const Look& look, bool has_lower) {
-    return look.date && (is_soil(look.standing) || (has_lower && is_soil(look.lower_standing)));
 }
 
 Carried::Carried(std::span<const float> first_depth, bool upper, bool lower)
@@ -85,21 +77,21 @@ Carried::Carried(std::span<const float> first_depth, bool upper, bool lower)
     bodies_.reserve(kMost);
 }
 
-void Carried::restore(std::span<const CarriedBody> bodies) {
+void Carried::restore(std::span<const Body> bodies) {
     CHECK(bodies.size() <= kMost);
     bodies_.assign(bodies.begin(), bodies.end());
     std::ranges::fill(bare_, std::uint8_t{0});
     std::ranges::fill(felled_, std::uint8_t{0});
     trunks_ = 0;
-    for (const CarriedBody& body : bodies_) {
-        const bool is_trunk = body.kind == CarriedKind::kTrunk;
+    for (const Body& body : bodies_) {
+        const bool is_trunk = body.kind == Kind::kTrunk;
         trunks_ += is_trunk;
         (is_trunk ? felled_ : bare_)[static_cast<std::size_t>(body.vertex)] |=
             static_cast<std::uint8_t>(1u << (body.seed & 7u));
     }
 }
 
-bool Carried::advance(const sim::View& world, float dt_s) {
+bool Carried::advance(const View& world, float dt_s) {
     CHECK(dt_s > 0 && world.grid.size() == first_depth_.size());
     const std::size_t before = bodies_.size();
     const bool moved = move(world, dt_s);
@@ -107,24 +99,24 @@ bool Carried::advance(const sim::View& world, float dt_s) {
     return moved || bodies_.size() != before;
 }
 
-bool Carried::move(const sim::View& world, float dt_s) {
+bool Carried::move(const View& world, float dt_s) {
     bool any = false;
-    for (CarriedBody& body : bodies_) {
-        const CarriedBody was = body;
-        (body.kind == CarriedKind::kTrunk ? move_trunk : move_boulder)(world, first_depth_, dt_s, body);
+    for (Body& body : bodies_) {
+        const Body was = body;
+        (body.kind == Kind::kTrunk ? move_trunk : move_boulder)(world, first_depth_, dt_s, body);
         any |= body != was;
     }
     return any;
 }
 
-bool Carried::is_of_soil(const sim::View& world, int x, int y) const {
+bool Carried::is_of_soil(const View& world, int x, int y) const {
     if (!world.mixture) return upper_;
-    return sim::share_in_rolling(world, x, y) > 0.5f ? lower_ : upper_;
+    return share_in_rolling(world, x, y) > 0.5f ? lower_ : upper_;
 }
 
 // Nothing is eroded in a tile that sleeps. A world without an engine has no tiles.
-void Carried::take_up(const sim::View& world) {
-    const sim::Tiles& tiles = world.tiles;
+void Carried::take_up(const View& world) {
+    const Tiles& tiles = world.tiles;
     for (int y = 0; y < world.grid.ny; ++y) {
         if (tiles.awake.empty()) {
             take_up_in(world, y, 0, world.grid.nx);
@@ -138,7 +130,7 @@ void Carried::take_up(const sim::View& world) {
 }
 
 // Of the vertices of a row from `first` to before `last`.
-void Carried::take_up_in(const sim::View& world, int y, int first, int last) {
+void Carried::take_up_in(const View& world, int y, int first, int last) {
     const float *rolling = world.rolling.row(y), *depth = world.depth.row(y);
     const float *u = world.velocity_x.row(y), *v = world.velocity_y.row(y);
     const float* before =
@@ -152,7 +144,7 @@ void Carried::take_up_in(const sim::View& world, int y, int first, int last) {
     }
 }
 
-void Carried::lay_bare(const sim::View& world, int x, int y, float eroded) {
+void Carried::lay_bare(const View& world, int x, int y, float eroded) {
     const std::size_t vertex =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) + static_cast<std::size_t>(x);
     const float dx = world.grid.dx, depth = first_depth_[vertex];
@@ -166,7 +158,7 @@ void Carried::lay_bare(const sim::View& world, int x, int y, float eroded) {
         const auto bit = static_cast<std::uint8_t>(1u << static_cast<unsigned>(i));
         if ((bare_[vertex] & bit) != 0 || chance(which) * depth > eroded) continue;
         bare_[vertex] |= bit;
-        CarriedBody body;
+        Body body;
         body.seed = (mixed(vertex << 20 | (which + 1)) & ~7u) | static_cast<std::uint32_t>(i);
         body.vertex = static_cast<std::int32_t>(vertex);
         body.size = size_of(chance(which + 2));
@@ -183,7 +175,7 @@ void Carried::lay_bare(const sim::View& world, int x, int y, float eroded) {
 }
 
 // The trees that lie at a vertex, which stood around it: each falls where the flow goes.
-void Carried::fell(const sim::View& world, int x, int y, const sim::Stems& stems) {
+void Carried::fell(const View& world, int x, int y, const Stems& stems) {
     const std::size_t vertex =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(world.grid.nx) + static_cast<std::size_t>(x);
     const double expected = stems.lying * world.grid.cell_area() / kHectare;
@@ -198,4 +190,4 @@ void Carried::fell(const sim::View& world, int x, int y, const sim::Stems& stems
     }
 }
 
-}  // namespace render
+}  // namespace sim::carried

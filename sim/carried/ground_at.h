@@ -6,7 +6,7 @@
 
 #include "sim/world/state.h"
 
-namespace render {
+namespace sim::carried {
 
 // The surface at a place between four vertices.
 struct GroundAt {
@@ -19,6 +19,6 @@ struct GroundAt {
 };
 
 // Interpolates between vertices. `first_depth`: of the standing layer at tick 0, m, one value per vertex, or none. `at`: m.
-GroundAt ground_at(const sim::View& world, std::span<const float> first_depth, glm::vec2 at);
+GroundAt ground_at(const View& world, std::span<const float> first_depth, glm::vec2 at);
 
-}  // namespace render
+}  // namespace sim::carried

@@ -5,12 +5,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace render {
+namespace sim::carried {
 
-enum class CarriedKind : std::uint32_t { kBoulder, kTrunk };
+enum class Kind : std::uint32_t { kBoulder, kTrunk };
 
 // A boulder that a flow of soil has laid bare, or the trunk of a tree that it broke. A plain value.
-struct CarriedBody {
+struct Body {
     glm::vec3 at;        // its middle, m; z above the datum
     glm::vec3 velocity;  // m/s
     // Of a boulder a quaternion from its own axes to those of the world: x, y, z, w. Of a trunk the unit vector from its
@@ -20,8 +20,8 @@ struct CarriedBody {
     float sunk = 0;  // share of its thickness below the surface, 0 to 1
     std::uint32_t seed = 0;
     std::int32_t vertex = 0;  // of the grid, where it lay or stood, row by row from the south
-    CarriedKind kind = CarriedKind::kBoulder;
-    bool operator==(const CarriedBody&) const = default;
+    Kind kind = Kind::kBoulder;
+    bool operator==(const Body&) const = default;
 };
 
-}  // namespace render
+}  // namespace sim::carried

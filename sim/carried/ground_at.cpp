@@ -1,14 +1,14 @@
-#include "render/flow/ground_at.h"
+#include "sim/carried/ground_at.h"
 
 #include <algorithm>
 #include <cstddef>
 
 #include <glm/common.hpp>
 
-namespace render {
+namespace sim::carried {
 
-GroundAt ground_at(const sim::View& world, std::span<const float> first_depth, glm::vec2 at) {
-    const sim::Grid& grid = world.grid;
+GroundAt ground_at(const View& world, std::span<const float> first_depth, glm::vec2 at) {
+    const Grid& grid = world.grid;
     const glm::vec2 cell = at / grid.dx, last(grid.nx - 1, grid.ny - 1),
                     inside = glm::clamp(cell, glm::vec2(0), last);
     const int x = std::min(static_cast<int>(inside.x), grid.nx - 2),
@@ -40,4 +40,4 @@ GroundAt ground_at(const sim::View& world, std::span<const float> first_depth, g
     return here;
 }
 
-}  // namespace render
+}  // namespace sim::carried
