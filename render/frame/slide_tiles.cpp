@@ -31,17 +31,19 @@ std::size_t index(int column, int row, int columns) {
 }
 
 // Whether the standing layer is gone here and still stands beside it, as crown.glsl asks, with some room. What
-// rolls hides a wall. `first`: the row of its first depth, in rows of world.grid.nx values.
+// rolls hides a wall, if it rolls above it too. `first`: the row of its first depth, in rows of world.grid.nx values.
 bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
     constexpr float kGone = -0.09f, kStep = 0.09f, kStands = -0.28f, kHides = 0.3f;  // m
     const auto change = [&](int i, int j) {
         return world.depth(i, j) - first[static_cast<std::ptrdiff_t>(j - y) * world.grid.nx + i];
     };
     const float here = change(x, y);
-    if (here > kGone || world.rolling(x, y) > kHides) return false;
+    if (here > kGone) return false;
+    const bool fills = world.rolling(x, y) > kHides;
     for (int j = std::max(y - 1, 0); j <= std::min(y + 1, world.grid.ny - 1); ++j)
         for (int i = std::max(x - 1, 0); i <= std::min(x + 1, world.grid.nx - 1); ++i)
-            if (change(i, j) > std::max(here + kStep, kStands)) return true;
+            if (change(i, j) > std::max(here + kStep, kStands) && !(fills && world.rolling(i, j) > kHides))
+                return true;
     return false;
 }
 
