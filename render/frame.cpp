@@ -346,7 +346,7 @@ void Renderer::Parts::find(Frame& frame) {
     const Rectangle coarse = coarse_ground.target().all();
     const OnScreen ground_screen =
         is_coarse() ? OnScreen(frame.coarse_block.clip_from_world, coarse.right, coarse.top) : screen;
-    tiles.find(input, ground_screen);
+    tiles.find(input, ground_screen, rules.parts_by_kind);
     if (!frame.everything) tiles.mark_changes(redrawn.scene_tiles);
     if (input.surrounded()) surroundings.find(redraw);
     structures.find(input, redraw);

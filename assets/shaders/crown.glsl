@@ -25,7 +25,8 @@ Crown crown_at(inout Smooth layer, Place p, Detail d) {
     float cell = frame.ground.x, step = above.w - below.w;
     Crown c;
     c.up = along * inversesqrt(dot(along, along) + 1e-8);
-    c.near = smoothstep(0.20, 0.32, step) * smoothstep(0.22, 0.36, above.w) * frame.haze.w;
+    // Below it the layer is gone: the edge of a deposit on ground that is whole is no wall.
+    c.near = smoothstep(0.20, 0.32, step) * smoothstep(0.22, 0.36, above.w) * smoothstep(0.41, 0.37, below.w) * frame.haze.w;
     float broken = min(0.05 * cell, 0.6) * (of_block(p.at.xy, 7.3) + 0.5 * of_block(p.at.xy, 2.9)) + 0.4 * (d.clumps.z - 0.59);
     c.side = 1.5 * (layer.value.w - 0.5 * (above.w + below.w)) / max(step, 0.05) * cell + broken;
     layer.value.xw = mix(layer.value.xw, c.side < 0.0 ? below.xw : above.xw, c.near);

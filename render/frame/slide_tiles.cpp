@@ -49,13 +49,13 @@ bool is_under_wall(const sim::View& world, const float* first, int x, int y) {
 
 }  // namespace
 
-void SlideTiles::find(const FrameInput& input, const OnScreen& screen) {
+void SlideTiles::find(const FrameInput& input, const OnScreen& screen, bool by_kind) {
     resize(input.world.grid, screen.all().right, screen.all().top);
     before_.swap(tiles_);
     // A texture may lie wherever it moved before; without the first depth nobody knows where.
     const bool everywhere =
         input.look.flow && input.flow && (input.look.flow->everywhere || input.first_depth.empty());
-    std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(everywhere));
+    std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(by_kind ? everywhere : 2));
     std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
     const bool slides = !everywhere && find_blocks(input);
     const bool earth = input.world.things && find_earth(input);

@@ -16,8 +16,8 @@ namespace render {
 // cheaper to shade.
 class SlideTiles {
   public:
-    // Allocates nothing while size and grid are those of the last call.
-    void find(const FrameInput& input, const OnScreen& screen);
+    // Allocates nothing while size and grid are those of the last call. Not `by_kind`: every part is as one with a wall.
+    void find(const FrameInput& input, const OnScreen& screen, bool by_kind = true);
 
     // Marks the tiles that are of another kind than in the last frame.
     void mark_changes(ScreenTiles& tiles) const;

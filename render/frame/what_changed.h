@@ -32,6 +32,7 @@ struct RedrawRules {
     // What a wrong rule leaves out: shadows that move; where ground was before; what stands on ground that changed,
     // as trees, structures and the seam of the surroundings; where powder and spindrift were; one rectangle.
     bool sun = true, old_heights = true, things = true, air = true, last_rectangle = true;
+    bool parts_by_kind = true;  // else ground is shaded everywhere as where a slide has left a wall
 };
 
 // Where bedrock differs from that of the last frame.

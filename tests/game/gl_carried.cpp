@@ -39,6 +39,29 @@ TEST_F(CarriedBySlide, is_the_same_bytes_after_100_random_seeks) {
                                     [&](const Session& session) { return drawn(input(session)); });
 }
 
+// Which shader a part of the frame needs is found from the world: none may miss what another one draws.
+TEST_F(CarriedBySlide, lies_on_ground_that_is_shaded_alike_in_every_part) {
+    std::optional<render::Renderer> alike;
+    ASSERT_NO_FATAL_FAILURE(support::make_renderer(alike, render::Quality::kFast));
+    ASSERT_TRUE(alike->load(scene_.scenario.look, false));
+    alike->set_redraw({.parts_by_kind = false});
+    auto session = Session::begin(scene_.scenario, {}, std::nullopt).value();
+    for (const int until : {1000, 1440, 1900, 2600}) {
+        ASSERT_TRUE(play_headless(session, scene_.commands, Until::after(until), {}, scene_.scenario.title));
+        for (const double azimuth : {185.0, 95.0}) {
+            render::FrameInput input = this->input(session);
+            input.camera = {{985, 440, 950}, azimuth, 14, 240, 50};
+            input.width = 640, input.height = 360;
+            const Bytes parts = drawn(input);
+            alike->draw(input);
+            const Bytes whole = alike->read_back().pixels;
+            int differ = 0;
+            for (std::size_t i = 0; i < parts.size(); ++i) differ += std::abs(parts[i] - whole[i]) > 3;
+            EXPECT_EQ(differ, 0) << "tick " << until << ", from " << azimuth;
+        }
+    }
+}
+
 TEST_F(CarriedBySlide, changes_nothing_of_the_world) {
     std::vector<std::uint64_t> hashes;
     for (const bool followed : {true, false}) {
