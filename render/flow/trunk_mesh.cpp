@@ -10,9 +10,9 @@
 namespace render {
 namespace {
 
-constexpr float kBrokenTop = 0.45f;                     // diameter where it broke, of that at the root
+constexpr float kBrokenTop = 0.45f;               // diameter where it broke, of that at the root
 constexpr float kPlate = 2.1f, kPlateFar = 1.5f;  // radius of its roots, diameters; of the soil on them
-constexpr float kStubLength = 1.6f;                     // length of a branch's stub, diameters
+constexpr float kStubLength = 1.6f;               // length of a branch's stub, diameters
 
 class TrunkBuilder {
   public:
@@ -56,7 +56,8 @@ void add_break(TrunkBuilder& to, int sides, Chance& chance) {
         const float a = static_cast<float>(i) / static_cast<float>(sides),
                     b = static_cast<float>(i + 1) / static_cast<float>(sides);
         const glm::vec3 splinter = on_ring(0.5f + chance(0.01f, 0.06f), 0.3f * kBrokenTop, 0.5f * (a + b));
-        to.triangle(on_ring(0.5f, 0.5f * kBrokenTop, a), on_ring(0.5f, 0.5f * kBrokenTop, b), splinter, TrunkPart::kWood);
+        to.triangle(on_ring(0.5f, 0.5f * kBrokenTop, a), on_ring(0.5f, 0.5f * kBrokenTop, b), splinter,
+                    TrunkPart::kWood);
         to.triangle(splinter, tip, on_ring(0.5f, 0.5f * kBrokenTop, a), TrunkPart::kWood);
     }
 }
@@ -83,7 +84,8 @@ void add_stubs(TrunkBuilder& to, Chance& chance) {
     for (int i = 0; i < kStubs; ++i) {
         const float along = -0.1f + 0.6f * (static_cast<float>(i) + chance(0, 0.8f)) / kStubs,
                     turns = chance();
-        const float radius = 0.5f * (1 + (along + 0.5f) * (kBrokenTop - 1)), long_by = kStubLength * chance(0.4f, 1);
+        const float radius = 0.5f * (1 + (along + 0.5f) * (kBrokenTop - 1)),
+                    long_by = kStubLength * chance(0.4f, 1);
         const glm::vec3 tip = on_ring(along + 0.02f, radius + long_by, turns);
         const glm::vec3 a = on_ring(along - 0.004f, 0.9f * radius, turns - 0.05f),
                         b = on_ring(along - 0.004f, 0.9f * radius, turns + 0.05f),

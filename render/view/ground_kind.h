@@ -16,9 +16,7 @@ template <class T>
 class OfGroundKind {
   public:
     std::optional<T>& operator[](GroundKind kind) { return all_[kind.dated][kind.two_materials]; }
-    const std::optional<T>& operator[](GroundKind kind) const {
-        return all_[kind.dated][kind.two_materials];
-    }
+    const std::optional<T>& operator[](GroundKind kind) const { return all_[kind.dated][kind.two_materials]; }
 
   private:
     std::array<std::array<std::optional<T>, 2>, 2> all_;
