@@ -2107,7 +2107,10 @@ class Sending : public Playing {
     std::vector<std::filesystem::path> shared() const { return files_in(folder_.path() / "couloir/shared"); }
     std::filesystem::path opened() const { return folder_.path() / "opened"; }
     void wait_until_told(const std::string& words) {
-        for (int i = 0; i < 10000 && last_notice().find(words) == std::string::npos; ++i) frames(1);
+        wait_until([&] {
+            frames(1);
+            return last_notice().find(words) != std::string::npos;
+        });
         EXPECT_NE(last_notice().find(words), std::string::npos) << last_notice();
     }
 };
