@@ -16,8 +16,7 @@ class PhotoMode {
   public:
     bool is_on() const { return settings_.has_value(); }
     // Begins with the lens of the camera and the light as it is, on that date of the scene's plants. `aspect`: of the
-    // image, width / height. `focus`: a
-    // place, m, that is sharp if not all is.
+    // image, width / height. `focus`: a place, m, that is sharp if not all is.
     void begin(const Scenario& scenario, const CameraControl& camera, const render::Light& light,
                std::optional<render::Date> date, double aspect, const glm::dvec3& focus);
     // Gives the camera its field of view back.

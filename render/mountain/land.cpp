@@ -287,8 +287,7 @@ class LandTexels {
                 const glm::dvec2 p = spacing_ * glm::dvec2(x, y) - from.at;
                 const double t = std::clamp(glm::dot(p, along) / length2, 0.0, 1.0);
                 const double away = glm::length(p - t * along) - glm::mix(from.half, to.half, t);
-                float& nearest = away_[static_cast<std::size_t>(y) * static_cast<std::size_t>(land_.columns) +
-                                       static_cast<std::size_t>(x)];
+                float& nearest = away_[grid().at(x, y)];
                 nearest = std::min(nearest, static_cast<float>(away));
             }
     }

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/carried/ground_at.h"
-#include "sim/carried/hash.h"
+#include "sim/core/chance.h"
 #include "sim/core/ramp.h"
 
 namespace sim::carried {

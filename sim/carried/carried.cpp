@@ -7,8 +7,8 @@
 
 #include "sim/carried/boulder.h"
 #include "sim/carried/ground_at.h"
-#include "sim/carried/hash.h"
 #include "sim/carried/trunk.h"
+#include "sim/core/chance.h"
 #include "sim/core/check.h"
 #include "sim/core/ramp.h"
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/carried/ground_at.h"
-#include "sim/carried/hash.h"
+#include "sim/core/chance.h"
 #include "sim/core/ramp.h"
 
 namespace sim::carried {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kTrunkTakesOn = 0.5f;  // s, in which a trunk takes on the speed of a flow
 constexpr float kTrunkFaster = 1.05f;  // its speed, of the mean of the flow
-constexpr float kFriction = 5;         // m/s², of what lies on the ground
+constexpr float kFriction = 5;         // m/s², of a trunk on the ground
 constexpr float kTrunkStill = 0.15f;   // m/s; a slower trunk stops
 constexpr float kTilts = 1.5f;         // 1/s, rate at which it follows the surface
 constexpr float kRaised = 0.35f;       // greatest sine by which one end looks out

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/core/chance.h"
 #include "sim/core/check.h"
 #include "sim/core/ramp.h"
 
@@ -41,13 +42,8 @@ class Random {
                  static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) * 0xBF58476D1CE4E5B9ull ^
                  static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) * 0x94D049BB133111EBull) {}
 
-    std::uint32_t bits() {  // splitmix64
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15ull;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-        return static_cast<std::uint32_t>((z ^ (z >> 31)) >> 32);
-    }
-    float share() { return static_cast<float>(bits() >> 8) / 16777216.f; }
+    std::uint32_t bits() { return next_bits(state_); }
+    float share() { return share_of(bits()); }
     float between(float low, float high) { return low + (high - low) * share(); }
 
   private:

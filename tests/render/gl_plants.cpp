@@ -53,11 +53,7 @@ TEST_F(Plants, are_wet_before_the_front_of_mud) {
     look.rolling = {0.10f, 0.06f, 0.04f};
     const auto seen = [&](std::optional<Date> date, float sheen) {
         look.date = date, look.sheen = sheen;
-        FrameInput input{world.view(), from_above({305, 300, 60}, 40), {180, 50}, look};
-        input.width = input.height = 128;
-        EXPECT_TRUE(renderer_->load(look, false));
-        renderer_->draw(input);
-        return renderer_->read_back();
+        return draw(world, from_above({305, 300, 60}, 40), {180, 50}, look, 128, 128);
     };
     const auto brightness = [](const Picture& picture, int x) { return mean_colour(picture, x, 64, 4)[1]; };
     const std::optional<Date> july = Date{7, 15};
@@ -74,13 +70,7 @@ TEST_F(Plants, are_darker_where_the_soil_is_wet_and_where_a_look_has_a_date) {
     World world = make_world(60, 10, [](double, double y) { return 0.2 * y; });
     Look look;
     look.date = Date{7, 15};
-    const auto seen = [&] {
-        FrameInput input{world.view(), from_above({300, 300, 60}, 400), {180, 50}, look};
-        input.width = input.height = 128;
-        EXPECT_TRUE(renderer_->load(look, false));
-        renderer_->draw(input);
-        return renderer_->read_back();
-    };
+    const auto seen = [&] { return draw(world, from_above({300, 300, 60}, 400), {180, 50}, look, 128, 128); };
     const auto brightness = [](const Picture& picture, int x) { return mean_colour(picture, x, 64, 12)[1]; };
     const Picture without = seen();
     world.things.emplace(world.grid);
