@@ -67,11 +67,11 @@ vec3 field_of(vec3 grass, Use use, Place p, Detail d) {
 
 // Beds of a garden: soil, with plants of a kind in each row.
 vec3 garden_at(vec3 grass, Place p, Detail d) {
-    vec2 at = mat2(0.94, -0.34, 0.34, 0.94) * p.at.xy / vec2(1.9, 0.85);
+    vec2 at = mat2(0.94, -0.34, 0.34, 0.94) * p.at.xy / vec2(3.1, 0.6);
     float own = of_corner(ivec2(floor(at))), other = fract(57.0 * own);
-    vec3 plant = mix(grass, own < 0.25 ? vec3(0.060, 0.130, 0.050) : own < 0.50 ? vec3(0.150, 0.210, 0.060) : own < 0.57 ? vec3(0.230, 0.070, 0.080) : vec3(0.080, 0.150, 0.035), 0.8 * frame.season.x);
-    float row = smoothstep(0.46, 0.26, abs(fract(at.y) - 0.5)) * step(0.2, other) * (0.6 + 0.4 * d.clumps.z);
-    return mix(vec3(0.085, 0.058, 0.036) * (0.8 + 0.4 * d.clumps.z), plant, mix(row, 0.6, smoothstep(0.2, 0.8, p.footprint)));
+    vec3 plant = mix(grass, own < 0.25 ? vec3(0.060, 0.130, 0.050) : own < 0.50 ? vec3(0.120, 0.180, 0.050) : own < 0.57 ? vec3(0.130, 0.095, 0.090) : vec3(0.080, 0.150, 0.035), 0.8 * frame.season.x);
+    float row = smoothstep(0.46, 0.26, abs(fract(at.y) - 0.5)) * smoothstep(0.0, 0.3, 0.5 - abs(fract(at.x) - 0.5)) * step(0.12, other) * (0.6 + 0.4 * d.clumps.z);
+    return mix(vec3(0.074, 0.056, 0.040) * (0.6 + 0.8 * d.clumps.z), plant, mix(row, 0.55, smoothstep(0.15, 0.5, p.footprint)));
 }
 
 // Trodden earth with some gravel; grass is left in the middle of it.
@@ -107,14 +107,18 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     float dry = clamp(0.15 + 0.55 * sunny + 0.35 * altitude - 0.75 * moist + rugged * 0.7 * (d.tone - 0.4), 0.0, 1.0);
 
     vec3 straw = (frame.turf.w > 0.0 ? frame.turf.rgb : frame.meadow.rgb) * 0.95;
-    vec3 grass = mix(straw, mix(vec3(0.078, 0.150, 0.026), vec3(0.170, 0.185, 0.045), dry), green);
+    vec3 grass = mix(straw, mix(vec3(0.070, 0.145, 0.024), vec3(0.160, 0.180, 0.042), dry), green);
     Use use = Use(0.0, 0.0, 0.0, vec2(1.0, 0.0), 0.0, 0.0, 0.0);
     if (here.b > 0.0) use = use_at(p.source, here.b);
     float is_tilled = smoothstep(0.3, 0.7, use.field + use.garden);
     if (use.within > 0.0) grass = mix(grass, field_of(1.12 * grass, use, p, d), smoothstep(0.3, 0.7, use.field));
+    // Pastures are a mosaic: mats of pale bristly grass, and dark lush spots where it is fertile.
+    float mosaic = 0.9 * (d.rock.z - 0.40) + 0.8 * (d.clumps.z - 0.59) + 0.7 * (d.soft.z - 0.53), wild = rugged * (1.0 - is_tilled);
+    grass = mix(grass, mix(straw, vec3(0.172, 0.182, 0.056), green), 0.75 * wild * smoothstep(0.02, 0.30, mosaic + 0.25 * (dry - 0.5)) * smoothstep(0.10, 0.30, steep));
+    grass *= mix(vec3(1.0), vec3(0.60, 0.74, 0.66), wild * smoothstep(-0.06, -0.32, mosaic));
     // Dwarf shrubs higher up: dark, rust in autumn.
-    float shrubs = smoothstep(0.52, 0.66, 0.55 * d.soft.w + 0.45 * d.clumps.z + 0.35 * (altitude - 0.55) + 0.15 * steep - 0.3 * moist) * rugged * (1.0 - is_tilled);
-    grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.050, 0.078, 0.024), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.65 * shrubs);
+    float shrubs = smoothstep(0.54, 0.62, 0.45 * d.soft.w + 0.55 * d.clumps.z + 0.35 * (altitude - 0.55) + 0.15 * steep - 0.3 * moist) * rugged * (1.0 - is_tilled);
+    grass = mix(grass, mix(mix(vec3(0.060, 0.052, 0.026), vec3(0.050, 0.078, 0.024), green), vec3(0.135, 0.055, 0.024), frame.season.z * frame.season.y), 0.80 * shrubs);
     // Reeds and sedges where it is wet and level.
     float away = LAND_FAR - (LAND_FAR + LAND_NEAR) * here.r;  // m, from the water of a brook
     float wet = max(smoothstep(0.72, 0.88, moist), smoothstep(5.5, 2.5, away + 3.0 * (d.soft.z - 0.5) * rugged));
@@ -124,11 +128,11 @@ Skin plants_at(Place p, Detail d, vec4 fine) {
     if (p.footprint < 0.3) blades = mix(blades, detail(p, DETAIL_CLUMPS, p.at.xy, turned(0.643, 0.766, 1.9), 1.9), rugged * clamp(1.5 - 5.0 * p.footprint, 0.0, 1.0));
     grass = with_flowers(grass, p, d, green * (1.0 - shrubs) * (1.0 - frame.season.z) * mix(1.0, 0.5, is_tilled) * smoothstep(0.9, 0.5, steep));
     // Tufts; cattle tread steps along steep slopes.
-    float tufts = 0.34 + 0.24 * d.soft.z + 0.20 * d.rock.z * (1.0 - is_tilled) + 0.30 * d.clumps.z * (1.0 - 0.6 * is_tilled) + 0.52 * fine.z + 0.65 * (blades.z - 0.5);
+    float tufts = 0.24 + 0.24 * d.soft.z + 0.24 * d.rock.z * (1.0 - is_tilled) + 0.46 * d.clumps.z * (1.0 - 0.6 * is_tilled) + 0.52 * fine.z + 0.80 * (blades.z - 0.5);
     float steps = smoothstep(0.30, 0.45, steep) * smoothstep(0.85, 0.65, steep) * smoothstep(0.35, 0.6, d.soft.w) * clamp(1.5 - 1.2 * p.footprint, 0.0, 1.0) * rugged;
     float tread = steps > 0.0 ? smoothstep(0.25, 0.0, abs(fract(p.at.z / 0.9 + 1.6 * d.soft.z + 0.9 * d.clumps.z) - 0.5)) : 0.0;
     grass = mix(grass * tufts, vec3(0.105, 0.080, 0.050), 0.45 * steps * tread);
-    Skin skin = Skin(grass, 0.18 * d.soft.xy + (0.10 + 0.35 * shrubs) * d.clumps.xy * (1.0 - is_tilled) + (0.34 - 0.16 * is_tilled) * fine.xy + 0.25 * blades.xy + 0.5 * steps * (0.5 - tread) * p.slope,
+    Skin skin = Skin(grass, 0.18 * d.soft.xy + 0.16 * wild * smoothstep(0.1, 0.4, steep) * d.rock.xy + (0.26 + 0.45 * shrubs) * d.clumps.xy * (1.0 - is_tilled) + (0.34 - 0.16 * is_tilled) * fine.xy + 0.25 * blades.xy + 0.5 * steps * (0.5 - tread) * p.slope,
                      0.70 + 0.25 * d.soft.z + 0.30 * d.clumps.z - 0.15 * shrubs, 0.0);
 
     // Gardens, the worn edges of roads, and paths.

@@ -42,7 +42,7 @@ void main() {
         case BUILT_ROOF: albedo = vec3(0.085, 0.080, 0.078) * (0.7 + 0.6 * rock.z) * (0.7 + 0.3 * lines(on_face.y, 0.5, pixel)); break;
         case BUILT_WINDOW:
             albedo = vec3(0.03, 0.035, 0.045);
-            lamp = frame.cloud.w * step(0.4, numbers.y) * vec3(1.0, 0.50, 0.15) * (0.7 + 0.5 * numbers.y);
+            lamp = (1.0 - frame.cloud.w) * 0.13 * mix(frame.zenith.rgb, frame.away.rgb, 0.25 + 0.35 * numbers.y) + frame.cloud.w * step(0.4, numbers.y) * vec3(1.0, 0.50, 0.15) * (0.7 + 0.5 * numbers.y);
             break;
         case BUILT_STEEL: albedo = vec3(0.16, 0.17, 0.18); break;
         case BUILT_ROAD:

@@ -3,6 +3,7 @@ in vec4 place;
 flat in vec4 dark;
 flat in vec4 white;
 flat in vec4 air;
+flat in float hues;
 out vec4 colour;
 
 // Near the eye texels would show as squares: what is between four of them, and ragged, as needles are.
@@ -16,10 +17,17 @@ vec3 enlarged(vec2 at) {
     return seen.a < 0.5 ? vec3(0.0) : seen.rgb / seen.a;
 }
 
+// Leaves and needles at the outside of a crown are yellower than those in its shade, and sprays of them differ.
+vec3 in_crown(vec3 needles, float bright, vec2 at) {
+    float spray = 0.5 + 0.25 * sin(dot(at, vec2(9.0, 13.0))) + 0.25 * sin(dot(at, vec2(-15.0, 7.0)) + 2.0);
+    float outside = clamp(1.7 * bright - 0.55 + 0.35 * (spray - 0.5), 0.0, 1.0);
+    return needles * mix(vec3(1.0), mix(vec3(0.66, 0.80, 0.98), vec3(1.30, 1.16, 0.80), outside), hues);
+}
+
 void main() {
     vec3 tree = air.w < 0.0 ? enlarged(place.zw) : texelFetch(pictures, ivec2(place.zw), int(air.w)).rgb;
     if (tree.b == 0.0 || abs(place.x) > 1.0 || place.y > 1.0) discard;  // the triangle is larger than the picture
     float foot = 1.0 - place.y;
     float left = tree.b * (1.0 - white.w * foot * foot) * (1.0 + dark.w * (2.0 * tree.r - 1.0));
-    colour = vec4((dark.rgb + white.rgb * tree.g) * left + air.rgb, 0.0);  // alpha 0: edges_mark.frag leaves it out
+    colour = vec4((in_crown(dark.rgb, tree.b, place.xy) + white.rgb * tree.g) * left + air.rgb, 0.0);  // alpha 0: edges_mark.frag leaves it out
 }

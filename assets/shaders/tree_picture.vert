@@ -3,6 +3,7 @@
 out vec4 place;       // −1 to 1 across the picture, 0 to 1 up; texels of the level
 flat out vec4 dark;   // light from needles to the eye; how much brighter they are on one side
 flat out vec4 white;  // how much more comes from snow on them; share of the light that is lost at the foot
+flat out float hues;  // how much they differ within a crown, 0 to 1
 flat out vec4 air;    // light of the air before it; level of the pictures, −1: the finest, and its texels are larger than samples
 
 // A corner of a triangle around a cone of this base, or around what is round: across and up, in heights of the tree.
@@ -57,6 +58,7 @@ void main() {
     vec4 snows = snow(tree);
     // A load of snow shades needles: bare ones are brighter, or a wood without snow would be a black mass.
     bool leafy = in_leaf(tree);
+    hues = frame.season.w * (leafy ? 1.0 : 0.6);
     vec3 colour = needles(tree) * (leafy ? 2.9 : mix(2.8, 1.0, snows.a)), needle = colour * kept * lights.needle;
     // Needles on the side of the sun are brighter by the sun's share of their light.
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;

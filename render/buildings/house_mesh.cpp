@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "assets/shaders/slots.glsl"
 
@@ -219,6 +220,29 @@ class House {
             for_each_row(wall, [&](const Windows& row) {
                 add_windows(site_, in_, row, whole() ? BUILT_WINDOW : BUILT_DARK);
             });
+        if (const auto row = in_gable())
+            for (const float end : {-1.f, 1.f})
+                add_windows(site_, in_,
+                            {{0, end * long_, row->middle.z},
+                             {-end, 0, 0},
+                             row->count,
+                             row->apart,
+                             row->half,
+                             row->half_tall},
+                            whole() ? BUILT_WINDOW : BUILT_DARK);
+    }
+
+    // Windows of the attic, where a gable is high enough.
+    std::optional<Windows> in_gable() const {
+        const float high = high_ - eave_;
+        if (style_.flat || high < 1.7f) return std::nullopt;
+        const float half_tall = std::min(0.24f * high, 0.55f);
+        return Windows{{0, 0, eave_ + 0.36f * high},
+                       {1, 0, 0},
+                       wide_ > 3.5f ? 2 : 1,
+                       0.62f * wide_,
+                       0.8f * half_tall,
+                       half_tall};
     }
 
     // Rows of windows, one for each storey that looks out of the ground.

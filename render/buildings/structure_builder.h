@@ -53,13 +53,23 @@ class FirstSurface {
             return ground_.world.bedrock(x, y) + depth;
         });
     }
-    // Depth of the snow that lies there, m.
-    float snow(glm::vec2 at) const {
-        if (ground_.first_cover.empty()) return 0;
+    // Depths of the snow and of the soil that lie there, m.
+    struct Cover {
+        float snow = 0, soil = 0;
+    };
+    Cover cover(glm::vec2 at) const {
+        if (ground_.first_cover.empty()) return {};
         const glm::vec2 cell = glm::clamp(at / ground_.world.grid.dx, glm::vec2(0), last());
         const glm::vec2 cover = ground_.first_cover[index(static_cast<int>(std::lround(cell.x)),
                                                           static_cast<int>(std::lround(cell.y)))];
-        return std::max(cover.x, 0.f) * glm::mix(ground_.snowy.x, ground_.snowy.y, cover.y);
+        const float depth = std::max(cover.x, 0.f),
+                    snowy = glm::mix(ground_.snowy.x, ground_.snowy.y, cover.y);
+        return {depth * snowy, depth * (1 - snowy)};
+    }
+    // What a house stands on, m: those who build in snow build a little higher, and on soil not down to the bedrock.
+    float footing(glm::vec2 at) const {
+        const Cover on = cover(at);
+        return bedrock(at) + std::min(0.5f * on.snow, 0.8f) + std::min(on.soil, 1.2f);
     }
     // Unit vector; x when level.
     glm::vec2 downhill(glm::vec2 at) const {
@@ -203,9 +213,8 @@ class BuildingSite {
         const glm::vec2 front(std::sin(heading), std::cos(heading));
         const glm::vec2 at(structure.at);
         pose_.axes = glm::mat3(vec3(front.y, -front.x, 0), vec3(front, 0), vec3(0, 0, 1));
-        snow_ = surface.snow(at);
-        // Those who build in snow build a little higher.
-        pose_.origin = vec3(at, surface.bedrock(at) + std::min(0.5f * snow_, 0.8f));
+        snow_ = surface.cover(at).snow;
+        pose_.origin = vec3(at, surface.footing(at));
         if (structure.kind == StructureKind::kHouse) settle();
     }
 

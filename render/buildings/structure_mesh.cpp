@@ -279,7 +279,7 @@ std::vector<RoadSection> sections_of(const std::vector<glm::vec2>& middle, const
             const glm::vec2 along = glm::normalize(t < 0.5f ? glm::mix(before + own, 2.f * own, 2 * t)
                                                             : glm::mix(2.f * own, own + after, 2 * t - 1));
             const glm::vec2 at = glm::mix(from, to, t);
-            sections.push_back({at, {along.y, -along.x}, way + t * length, surface.snow(at) > 0.1f});
+            sections.push_back({at, {along.y, -along.x}, way + t * length, surface.cover(at).snow > 0.1f});
         }
         way += length;
     }

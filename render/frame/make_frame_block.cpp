@@ -36,7 +36,9 @@ constexpr double kWideView =
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
 constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at which people light them
-constexpr float kSummerExposure = 1.65f;        // against that of snow
+// Of summer against winter, where snow is bright and sends light into what lies in shade. Without snow the sky is darker than
+// ground in the sun, not lighter.
+const glm::vec3 kSummerSun(3.1f, 2.95f, 2.6f), kSummerShade(1.8f, 1.72f, 1.62f), kSummerSky(1.5f);
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
 
@@ -82,11 +84,15 @@ void set_light(FrameBlock& block, const Light& light) {
                             std::cos(glm::radians(kDiscRadius)));
 }
 
-// Makes all light brighter, as an eye that is used to darker ground sees it.
-void expose(FrameBlock& block, float factor) {
-    for (glm::vec4* light : {&block.lamp, &block.above, &block.below, &block.toward, &block.away,
-                             &block.zenith, &block.glow, &block.cloud})
-        *light = glm::vec4(factor * glm::vec3(*light), light->w);
+// Makes all light brighter, as an eye that is used to ground without snow sees it. `summer`: 0 in winter, 1 in summer.
+void expose(FrameBlock& block, float summer) {
+    const auto brighten = [summer](glm::vec4& light, glm::vec3 factor) {
+        light *= glm::vec4(glm::mix(glm::vec3(1), factor, summer), 1);
+    };
+    brighten(block.lamp, kSummerSun);
+    for (glm::vec4* light : {&block.above, &block.below}) brighten(*light, kSummerShade);
+    for (glm::vec4* light : {&block.toward, &block.away, &block.zenith, &block.glow, &block.cloud})
+        brighten(*light, kSummerSky);
 }
 
 // The block of a part of the frame's image: the rectangle around `middle`, `size` times as large.
@@ -171,7 +177,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     if (look.date) {
         const Season season = season_on(*look.date);
         block.season = {season.green, season.leaves, season.turned, 1};
-        expose(block, glm::mix(1.f, kSummerExposure, season.green));
+        expose(block, static_cast<float>(std::max(season.green, season.leaves)));
     }
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (image.height * samples);
     if (input.whole) {
