@@ -9,7 +9,7 @@ constexpr std::int64_t seconds(std::int64_t s) {
 }
 
 // Of the sun: azimuth and height above the horizon, degrees.
-constexpr render::Light kDawn{110, 3}, kForenoon{120, 44}, kNoon{215, 42}, kTorrent{234, 34},
+constexpr render::Light kDawn{110, 3}, kForenoon{120, 44}, kNoon{215, 42}, kTorrent{135, 38},
     kAfternoon{260, 18}, kDusk{262, -3}, kNight{75, -14};
 
 }  // namespace
