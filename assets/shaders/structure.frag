@@ -7,6 +7,7 @@ in vec3 air;
 flat in int material;
 flat in vec2 numbers;
 in vec3 on_face;
+in float muddy;
 out vec4 colour;
 
 // Lines every `apart` metres, 0 on a line and 1 between, which fade where they are thinner than a pixel.
@@ -72,5 +73,6 @@ void main() {
         case BUILT_BRICK: albedo = vec3(0.23, 0.098, 0.066) * (0.6 + 0.7 * rock.z) * (0.72 + 0.28 * lines(on_face.y, 0.16, pixel)); break;
         case BUILT_DARK: albedo = vec3(0.035, 0.024, 0.018); break;
     }
+    albedo = mix(albedo, frame.standing.rgb * (0.55 + 0.5 * rock.z), muddy * smoothstep(0.62, 0.38, soft.z + 0.5 * (rock.z - 0.5)));
     colour = vec4(albedo * light + lamp + air, 1.0);
 }

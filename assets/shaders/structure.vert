@@ -11,12 +11,17 @@ out vec3 air;           // light of the air before it
 flat out int material;
 flat out vec2 numbers;  // of the structure, of the face; 0 to 1
 out vec3 on_face;       // m across and up; size of a pixel, m
+out float muddy;        // 0 to 1
 
 void main() {
     vec3 at = place.xyz;
+    muddy = 0.0;
     if (rests.w > 0.5) {
         float moved = height_at(relief, rests.xy) - rests.z;
-        at.z += rests.w > 1.5 ? min(moved, 0.0) : moved;
+        // In soil what is wrecked sinks into what buried it, and comes out muddy.
+        float in_soil = rests.w > 1.5 ? 0.0 : frame.season.w * smoothstep(0.0, 1.0, moved);
+        at.z += rests.w > 1.5 ? min(moved, 0.0) : moved - 0.45 * in_soil;
+        muddy = in_soil;
     }
     ground = at.xy;
     air = through_air(vec3(0.0), at);
