@@ -208,15 +208,16 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 TEST_F(Play, takes_a_screenshot_of_the_world_while_a_panel_is_open) {
     const auto screenshots = hand().folder() / "couloir/screenshots";
     hand().key("F2");
-    hand().key("F12");
-    hand().key("F12");
     std::vector<std::filesystem::path> taken;
-    ASSERT_TRUE(within(20, [&] {
-        taken = files_in(screenshots);
-        return taken.size() == 2 && std::all_of(taken.begin(), taken.end(), [](const auto& file) {
-                   return file.extension() == ".png" && render::read_png(file, 3);
-               });
-    })) << taken.size();
+    for (const std::size_t count : {1, 2}) {  // one after the other: pressed twice within a frame it is one
+        hand().key("F12");
+        ASSERT_TRUE(within(20, [&] {
+            taken = files_in(screenshots);
+            return taken.size() == count && std::all_of(taken.begin(), taken.end(), [](const auto& file) {
+                       return file.extension() == ".png" && render::read_png(file, 3);
+                   });
+        })) << taken.size();
+    }
     for (const auto& file : taken) {
         const auto image = render::read_png(file, 3);
         EXPECT_EQ(image->width, PlaySession::kWidth);
