@@ -57,7 +57,7 @@ Skin wall(Skin skin, Crown crown, vec3 lies, Detail d, inout Place p) {
     if (kDated && lies.g < 0.5) {  // soil: roots under the turf, then ever paler and stonier
         float roots = smoothstep(0.30, 0.05, depth_m), subsoil = smoothstep(0.5, 1.3, depth_m + 0.5 * (d.soft.z - 0.5));
         face.albedo = mix(lies * 0.75, mix(lies, vec3(0.26, 0.19, 0.115), 0.7), subsoil) * (0.70 + 0.35 * d.clumps.z + 0.3 * strata.y);
-        face.albedo = mix(face.albedo, vec3(0.030, 0.022, 0.014), 0.8 * roots);
+        face.albedo = mix(face.albedo, lies * vec3(0.42, 0.38, 0.32), 0.7 * roots);
         face.albedo = mix(face.albedo, frame.rock.rgb, 0.8 * subsoil * smoothstep(0.55, 0.70, d.rock.z));
         face.rise = 0.5 * d.rock.xy + 0.4 * d.clumps.xy;
     }

@@ -42,8 +42,8 @@ Skin with_mud(Skin mud, Detail d, float turf, float fresh) {
     mud.rise *= 1.0 - 0.45 * sheen * pools;
     mud.wet = sheen * (0.12 + 0.60 * pools);
     vec3 green = mix(frame.turf.rgb, vec3(0.085, 0.135, 0.028), frame.season.x) * (0.45 + 0.5 * d.clumps.z + 0.3 * d.soft.z);
-    float torn = turf * smoothstep(0.85, 0.60, frame.rock.w) * smoothstep(0.30, 0.45, d.rock.z + 0.4 * (d.clumps.z - 0.5));
-    mud.albedo = mix(mud.albedo, green, 0.9 * torn);
+    float torn = turf * smoothstep(0.75, 0.55, frame.rock.w) * smoothstep(0.30, 0.45, d.rock.z + 0.4 * (d.clumps.z - 0.5));
+    mud.albedo = mix(mud.albedo, 0.8 * green, 0.65 * torn);
     mud.rise += 0.25 * torn * d.clumps.xy;
     mud.wet *= 1.0 - torn;
     return mud;
@@ -106,6 +106,6 @@ Skin under_flow(Skin skin, Slide slide, Place p, Detail d, float covered, out fl
     skin = blend(skin, debris, rolls);
     skin.open *= 1.0 - 0.45 * foot;
     skin.albedo *= 1.0 - 0.35 * foot;
-    if (kDated) skin = with_fringe(skin, smoothstep(0.06, 0.30, layer.y) * (1.0 - rolls));
+    if (kDated) skin = with_fringe(skin, smoothstep(0.24, 0.46, layer.y) * (1.0 - rolls));
     return skin;
 }

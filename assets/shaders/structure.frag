@@ -43,7 +43,8 @@ void main() {
         case BUILT_ROOF: albedo = vec3(0.085, 0.080, 0.078) * (0.7 + 0.6 * rock.z) * (0.7 + 0.3 * lines(on_face.y, 0.5, pixel)); break;
         case BUILT_WINDOW:
             albedo = vec3(0.03, 0.035, 0.045);
-            lamp = (1.0 - frame.cloud.w) * 0.13 * mix(frame.zenith.rgb, frame.away.rgb, 0.25 + 0.35 * numbers.y) + frame.cloud.w * step(0.4, numbers.y) * vec3(1.0, 0.50, 0.15) * (0.7 + 0.5 * numbers.y);
+            albedo = mix(albedo, vec3(0.30, 0.28, 0.25), smoothstep(0.04 + 0.5 * pixel, 0.04 - 0.5 * pixel, abs(on_face.x)) * clamp(1.5 - 12.0 * pixel, 0.0, 1.0));
+            lamp = step(0.04, abs(on_face.x)) * (1.0 - frame.cloud.w) * 0.13 * mix(frame.zenith.rgb, frame.away.rgb, 0.25 + 0.35 * numbers.y) + frame.cloud.w * step(0.4, numbers.y) * vec3(1.0, 0.50, 0.15) * (0.7 + 0.5 * numbers.y);
             break;
         case BUILT_STEEL: albedo = vec3(0.16, 0.17, 0.18); break;
         case BUILT_ROAD:

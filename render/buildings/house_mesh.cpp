@@ -28,7 +28,7 @@ void for_each_window(const Windows& row, const Add& add) {
 void add_pane(StructureBuilder& into, vec3 middle, vec3 wide, float half_tall, int material) {
     const vec3 tall(0, 0, half_tall);
     into.quad({middle - wide - tall, middle + wide - tall, middle + wide + tall, middle - wide + tall},
-              material);
+              material, 1, 1, -glm::length(wide));
 }
 
 void add_windows(const BuildingSite& site, StructureBuilder& into, const Windows& row, int material) {
@@ -39,9 +39,12 @@ void add_windows(const BuildingSite& site, StructureBuilder& into, const Windows
     });
 }
 
+// Shutters, and the frames of panes: behind these, and larger.
 void add_shutters(StructureBuilder& into, const Windows& row) {
+    constexpr float kFrame = 0.09f;  // m
     const vec3 out = 0.02f * glm::cross(row.right, vec3(0, 0, 1));
     for_each_window(row, [&](vec3 middle) {
+        add_pane(into, middle - out, (row.half + kFrame) * row.right, row.half_tall + kFrame, BUILT_PLASTER);
         for (const float side : {-1.f, 1.f})
             add_pane(into, middle + side * (row.half + 0.3f) * row.right + out, 0.27f * row.right,
                      row.half_tall, BUILT_DARK);
