@@ -170,6 +170,7 @@ tl::expected<void, std::string> Renderer::load(const Look& look, bool two_materi
     const GroundKind kind{look.date.has_value(), two_materials};
     if (auto ready = parts_->terrain.load(shaders, kind); !ready) return ready;
     if (auto ready = parts_->surroundings.load(shaders, kind); !ready) return ready;
+    if (auto ready = parts_->trees.load(shaders, kind); !ready) return ready;
     if (!look.flow) return {};
     return parts_->flow.load(parts_->assets, look.flow->pattern);
 }
@@ -410,7 +411,7 @@ void Renderer::Parts::draw(const Frame& frame) {
     if (structures.any()) structures.draw(redrawn.scene);
     if (carried.any()) carried.draw(redrawn.scene);
     clock.mark(Pass::kStructures);
-    if (frame.wooded) trees.draw(redrawn.scene);
+    if (frame.wooded) trees.draw(input.ground_kind(), redrawn.scene);
     clock.mark(Pass::kTrees);
 
     // What floats in the air lies over everything that is not nearer, and casts a shadow on the ground.

@@ -18,10 +18,12 @@ void main() {
     muddy = 0.0;
     if (rests.w > 0.5) {
         float moved = height_at(relief, rests.xy) - rests.z;
-        // In soil what is wrecked sinks into what buried it, and comes out muddy.
-        float in_soil = rests.w > 1.5 ? 0.0 : frame.season.w * smoothstep(0.0, 1.0, moved);
-        at.z += rests.w > 1.5 ? min(moved, 0.0) : moved - 0.45 * in_soil;
-        muddy = in_soil;
+        if (rests.w > 1.5) {
+            at.z += min(moved, 0.0);
+        } else {  // what is wrecked sinks into the deposit that buried it, and is muddy
+            muddy = frame.season.w * smoothstep(0.0, 1.0, moved);
+            at.z += moved - 0.45 * muddy;
+        }
     }
     ground = at.xy;
     air = through_air(vec3(0.0), at);

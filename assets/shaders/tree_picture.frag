@@ -29,5 +29,6 @@ void main() {
     if (tree.b == 0.0 || abs(place.x) > 1.0 || place.y > 1.0) discard;  // the triangle is larger than the picture
     float foot = 1.0 - place.y;
     float left = tree.b * (1.0 - white.w * foot * foot) * (1.0 + dark.w * (2.0 * tree.r - 1.0));
-    colour = vec4((in_crown(dark.rgb, tree.b, place.xy) + white.rgb * tree.g) * left + air.rgb, 0.0);  // alpha 0: edges_mark.frag leaves it out
+    vec3 needles = kDated ? in_crown(dark.rgb, tree.b, place.xy) : dark.rgb;
+    colour = vec4((needles + white.rgb * tree.g) * left + air.rgb, 0.0);  // alpha 0: edges_mark.frag leaves it out
 }

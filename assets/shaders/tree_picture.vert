@@ -58,7 +58,7 @@ void main() {
     vec4 snows = snow(tree);
     // A load of snow shades needles: bare ones are brighter, or a wood without snow would be a black mass.
     bool leafy = in_leaf(tree);
-    hues = frame.season.w * (leafy ? 1.0 : 0.6);
+    hues = leafy ? 1.0 : 0.6;
     vec3 colour = needles(tree) * (leafy ? 2.9 : mix(2.8, 1.0, snows.a)), needle = colour * kept * lights.needle;
     // Needles on the side of the sun are brighter by the sun's share of their light.
     float aside = frame.lamp.g * tree.look.x * 0.83 * mirror * dot(frame.sun.xyz, across) / lights.needle.g;

@@ -85,7 +85,7 @@ class Picture {
         if (info.arrays['trees.pictures'])
             Object.assign(this.programs, {
                 treeShadow: add([...trees, 'tree_shadow.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_shadow.frag']),
-                tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', 'tree_covered.glsl', 'tree_picture.frag']),
+                tree: add([...trees, 'tree_picture.vert'], ['slots.glsl', dated, 'tree_covered.glsl', 'tree_picture.frag']),
             });
         if (info.arrays['ridges.x'])
             this.programs.spindrift = add([...light, 'spindrift.vert'],

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "assets/shaders/slots.glsl"
 
@@ -39,8 +38,8 @@ void add_windows(const BuildingSite& site, StructureBuilder& into, const Windows
     });
 }
 
-// Shutters, and the frames of panes: behind these, and larger.
-void add_shutters(StructureBuilder& into, const Windows& row) {
+// A frame is behind its pane, and larger.
+void add_frames_and_shutters(StructureBuilder& into, const Windows& row) {
     constexpr float kFrame = 0.09f;  // m
     const vec3 out = 0.02f * glm::cross(row.right, vec3(0, 0, 1));
     for_each_window(row, [&](vec3 middle) {
@@ -219,33 +218,25 @@ class House {
                 in_.triangle({-end * wide_, end * long_, eave_}, {0, end * long_, gable().ridge + 0.1f},
                              {end * wide_, end * long_, eave_}, style_.wall);
         if (glass_) return;
-        for (const Wall& wall : walls_)
-            for_each_row(wall, [&](const Windows& row) {
-                add_windows(site_, in_, row, whole() ? BUILT_WINDOW : BUILT_DARK);
-            });
-        if (const auto row = in_gable())
-            for (const float end : {-1.f, 1.f})
-                add_windows(site_, in_,
-                            {{0, end * long_, row->middle.z},
-                             {-end, 0, 0},
-                             row->count,
-                             row->apart,
-                             row->half,
-                             row->half_tall},
-                            whole() ? BUILT_WINDOW : BUILT_DARK);
+        const auto add = [&](const Windows& row) {
+            add_windows(site_, in_, row, whole() ? BUILT_WINDOW : BUILT_DARK);
+        };
+        for (const Wall& wall : walls_) for_each_row(wall, add);
+        for_each_row_of_attic(add);
     }
 
-    // Windows of the attic, where a gable is high enough.
-    std::optional<Windows> in_gable() const {
-        const float high = high_ - eave_;
-        if (style_.flat || high < 1.7f) return std::nullopt;
-        const float half_tall = std::min(0.24f * high, 0.55f);
-        return Windows{{0, 0, eave_ + 0.36f * high},
-                       {1, 0, 0},
-                       wide_ > 3.5f ? 2 : 1,
-                       0.62f * wide_,
-                       0.8f * half_tall,
-                       half_tall};
+    // Windows under both gables, where these are high enough.
+    template <class Add>
+    void for_each_row_of_attic(const Add& add) const {
+        const float high = high_ - eave_, half_tall = std::min(0.24f * high, 0.55f);
+        if (style_.flat || high < 1.7f) return;
+        for (const float end : {-1.f, 1.f})
+            add({{0, end * long_, eave_ + 0.36f * high},
+                 {-end, 0, 0},
+                 wide_ > 3.5f ? 2 : 1,
+                 0.62f * wide_,
+                 0.8f * half_tall,
+                 half_tall});
     }
 
     // Rows of windows, one for each storey that looks out of the ground.
@@ -457,7 +448,7 @@ class House {
         }
         if (whole() && !style_.flat && !simple_)
             for (const Wall& wall : walls_)
-                for_each_row(wall, [&](const Windows& row) { add_shutters(in_, row); });
+                for_each_row(wall, [&](const Windows& row) { add_frames_and_shutters(in_, row); });
         // A door in the front.
         const Wall& front = walls_[site_.structure().width_m > site_.structure().length_m ? 1 : 2];
         const float door = std::min(2.1f, eave_ - base_ - 0.2f);

@@ -66,11 +66,6 @@ class FirstSurface {
                     snowy = glm::mix(ground_.snowy.x, ground_.snowy.y, cover.y);
         return {depth * snowy, depth * (1 - snowy)};
     }
-    // What a house stands on, m: those who build in snow build a little higher, and on soil not down to the bedrock.
-    float footing(glm::vec2 at) const {
-        const Cover on = cover(at);
-        return bedrock(at) + std::min(0.5f * on.snow, 0.8f) + std::min(on.soil, 1.2f);
-    }
     // Unit vector; x when level.
     glm::vec2 downhill(glm::vec2 at) const {
         const float step = ground_.world.grid.dx;
@@ -213,8 +208,11 @@ class BuildingSite {
         const glm::vec2 front(std::sin(heading), std::cos(heading));
         const glm::vec2 at(structure.at);
         pose_.axes = glm::mat3(vec3(front.y, -front.x, 0), vec3(front, 0), vec3(0, 0, 1));
-        snow_ = surface.cover(at).snow;
-        pose_.origin = vec3(at, surface.footing(at));
+        const FirstSurface::Cover cover = surface.cover(at);
+        snow_ = cover.snow;
+        // Those who build in snow build a little higher, and on soil not down to the bedrock.
+        pose_.origin =
+            vec3(at, surface.bedrock(at) + std::min(0.5f * snow_, 0.8f) + std::min(cover.soil, 1.2f));
         if (structure.kind == StructureKind::kHouse) settle();
     }
 

@@ -36,8 +36,8 @@ constexpr double kWideView =
 constexpr double kHighestLamp = 89;  // degrees; at 90 there is no horizontal direction to sweep along
 constexpr double kLowestLamp = 1;    // degrees; below it a sweep has no end
 constexpr double kLampsOff = 6, kLampsOn = -1;  // degrees, height of the sun at which people light them
-// Of summer against winter, where snow is bright and sends light into what lies in shade. Without snow the sky is darker than
-// ground in the sun, not lighter.
+// Of summer against winter, where snow is bright and sends light into the shade. Without snow the sky is darker than ground in
+// the sun, not lighter.
 const glm::vec3 kSummerSun(3.1f, 2.95f, 2.6f), kSummerShade(1.8f, 1.72f, 1.62f), kSummerSky(1.5f);
 constexpr double kDiscRadius =
     0.6;  // degrees, twice that of sun and moon: a screen shows less than the eye sees
@@ -177,7 +177,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
     if (look.date) {
         const Season season = season_on(*look.date);
         block.season = {season.green, season.leaves, season.turned, 1};
-        expose(block, static_cast<float>(std::max(season.green, season.leaves)));
+        expose(block, std::max(season.green, season.leaves));
     }
     const double pixel = 2 * glm::length(glm::dvec3(block.ray_up)) / (image.height * samples);
     if (input.whole) {

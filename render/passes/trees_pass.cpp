@@ -59,29 +59,38 @@ tl::expected<Texture, std::string> load_all_pictures(const std::filesystem::path
     return pictures;
 }
 
+// A program that draws trees by their numbers.
+auto link_trees(const std::filesystem::path& shaders, std::string_view vertex,
+                std::vector<std::string_view> fragment) {
+    return link_program(
+        shaders, {{GL_VERTEX_SHADER,
+                   {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
+                  {GL_FRAGMENT_SHADER, std::move(fragment)}});
+}
+
 }  // namespace
 
 tl::expected<TreesPass, std::string> TreesPass::create(const std::filesystem::path& assets) {
-    const auto link = [&](std::string_view vertex, std::string_view fragment) {
-        return link_program(
-            assets / "shaders",
-            {{GL_VERTEX_SHADER,
-              {"slots.glsl", "frame.glsl", "light.glsl", "tree.glsl", "tree_buffer.glsl", vertex}},
-             {GL_FRAGMENT_SHADER, {"slots.glsl", "tree_covered.glsl", fragment}}});
-    };
     TreesPass pass;
     pass.no_vertices_ = make_vertex_array();
-    for (const auto& [program, vertex, fragment] :
-         {std::tuple{&pass.shadow_, "tree_shadow.vert", "tree_shadow.frag"},
-          std::tuple{&pass.picture_, "tree_picture.vert", "tree_picture.frag"}}) {
-        auto linked = link(vertex, fragment);
-        if (!linked) return tl::unexpected(linked.error());
-        *program = std::move(*linked);
-    }
+    auto shadow = link_trees(assets / "shaders", "tree_shadow.vert",
+                             {"slots.glsl", "tree_covered.glsl", "tree_shadow.frag"});
+    if (!shadow) return tl::unexpected(shadow.error());
+    pass.shadow_ = std::move(*shadow);
     auto pictures = load_all_pictures(assets / "textures");
     if (!pictures) return tl::unexpected(pictures.error());
     pass.pictures_ = std::move(*pictures);
     return pass;
+}
+
+tl::expected<void, std::string> TreesPass::load(const std::filesystem::path& shaders, GroundKind kind) {
+    if (pictures_of_[kind]) return {};
+    auto program = link_trees(
+        shaders, "tree_picture.vert",
+        {"slots.glsl", kind.dated ? "dated.glsl" : "undated.glsl", "tree_covered.glsl", "tree_picture.frag"});
+    if (!program) return tl::unexpected(program.error());
+    pictures_of_[kind] = std::move(*program);
+    return {};
 }
 
 FollowedWoods::Change TreesPass::follow(const Woods* woods, const Surroundings* around,
@@ -151,7 +160,7 @@ void TreesPass::list(std::span<const Rectangle> parts) {
 
 // Trees are no instances: a software renderer starts anew for each of these. A vertex finds its tree by its
 // number.
-void TreesPass::draw(std::span<const Rectangle> parts) {
+void TreesPass::draw(GroundKind kind, std::span<const Rectangle> parts) {
     if (trees_.drawn().empty()) return;
     list(parts);
     if (listed_.empty()) return;
@@ -179,7 +188,7 @@ void TreesPass::draw(std::span<const Rectangle> parts) {
         glDepthMask(GL_TRUE);
         glPolygonOffset(0, 0);
     }
-    draw(picture_, [](const Part& p) { return p.all; });
+    draw(*pictures_of_[kind], [](const Part& p) { return p.all; });
 }
 
 }  // namespace render

@@ -10,6 +10,7 @@
 #include "render/frame/redrawn.h"
 #include "render/gl/gl_handle.h"
 #include "render/view/frame_block.h"
+#include "render/view/ground_kind.h"
 #include "render/view/screen_tiles.h"
 #include "render/woods/followed_woods.h"
 #include "render/woods/trees_in_view.h"
@@ -22,6 +23,8 @@ class TreesPass {
   public:
     // Errors, in one sentence with the file: those of a shader, and pictures of trees that cannot be read or have another size.
     static tl::expected<TreesPass, std::string> create(const std::filesystem::path& assets);
+    // Compiles what draw() needs in a world of this kind, if it has not yet. Errors: those of a shader.
+    tl::expected<void, std::string> load(const std::filesystem::path& shaders, GroundKind kind);
 
     // Makes the trees those of woods and of the world's forest. New ones, and a light from another side, take a few
     // hundredths of a second. As FollowedWoods::follow().
@@ -32,12 +35,13 @@ class TreesPass {
     // with other trees than before.
     void find(const FrameInput& input, const Redraw& redraw);
     // Draws colour and depth over what is drawn, in parts of the frame.
-    void draw(std::span<const Rectangle> parts);
+    void draw(GroundKind kind, std::span<const Rectangle> parts);
 
   private:
     void list(std::span<const Rectangle> parts);
 
-    ProgramName shadow_, picture_;
+    ProgramName shadow_;
+    OfGroundKind<ProgramName> pictures_of_;
     Texture pictures_;
     VertexArray no_vertices_;
     Buffer instances_;

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kLongest = 90 * 60;   // ticks
 constexpr std::int64_t kFlowDemo = 10 * 60;  // ticks: the moment of a scene that cannot go back
 
-constexpr int kJpegQuality = 88;
+constexpr int kJpegQuality = 86;
 
 Outcome<void> write_jpeg(const render::Texels& texels, const fs::path& file) {
     const auto output = OIIO::ImageOutput::create("jpeg");

@@ -243,7 +243,7 @@ TEST_F(Track, quotes_any_file_in_one_line) {
 
 TEST_F(Track, prints_finite_numbers_only_whatever_the_velocities_and_times) {
     std::size_t printed = 0;
-    for (const double speed : {1e-38, 1.0, 3e38}) {
+    for (const double speed : {1e-38, 1e-9, 1.0, 1e18, 3e38}) {
         std::vector<float> numbers;
         for (int frame = 0; frame < 3; ++frame)
             for (int v = 0; v < kVertices; ++v) {

@@ -35,6 +35,7 @@ TEST_F(Plants, are_green_in_july_and_straw_in_january) {
     const double summer = green(colour_on(Date{7, 15})), autumn = green(colour_on(Date{10, 5})),
                  winter = green(colour_on(Date{1, 15}));
     EXPECT_GT(summer, 1.03);
+    EXPECT_GT(summer, winter + 0.05);
     EXPECT_GT(summer, autumn + 0.01);
     EXPECT_GT(autumn, winter + 0.01);
 }
