@@ -17,6 +17,7 @@ Engine::Engine(State& state, const StepOptions& as) : options(as), workers(as.th
     }
     if (has_momentum(state.params.model))
         smoother.emplace(state.grid, options.tile_width, options.tile_height, options.threads);
+    if (state.weather) weather.emplace(state, options.threads);
 }
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 #include "sim/scratch.h"
 #include "sim/stages/stage_watch.h"
 #include "sim/sweep/sweeper.h"
+#include "sim/weather/work.h"
 
 namespace sim {
 
@@ -31,6 +32,7 @@ struct Engine {
     std::optional<Scratch<float>> scratch;  // of it
     std::optional<sweep::Sweeper> sweeper;
     std::optional<momentum::GroundSmoother> smoother;  // of the models with momentum
+    std::optional<weather::Work> weather;              // of a world with weather
 };
 
 }  // namespace sim

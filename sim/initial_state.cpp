@@ -79,6 +79,11 @@ State make_state(const InitialState& world, const Params& params) {
     }
     enclose(s, params);
     if (!world.standing.empty()) place(s, world.standing);
+    if (world.weather) {
+        CHECK(!fault_of(*world.weather, s.params, double{world.density}, world.lower.has_value()));
+        things_of(s);  // stages read the weak layer beside what stands
+        s.weather.emplace(*world.weather, s.depth);
+    }
     count_mass(s);
     s.ledger.initial = s.ledger.standing + s.ledger.rolling;
     if (s.mixture) s.mixture->ledger.initial = s.mixture->ledger.standing + s.mixture->ledger.rolling;

@@ -45,6 +45,8 @@ struct InitialState {
         }
     };
     Standing standing = {};
+
+    std::optional<Calendar> weather = std::nullopt;  // must be without fault_of()
 };
 State make_state(const InitialState& world, const Params& params);
 

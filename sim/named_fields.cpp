@@ -18,6 +18,12 @@ std::vector<NamedField> fields_of(const State& s) {
         fields.push_back({"mixture.untouched", &s.mixture->untouched});
     }
     if (s.things) fields.push_back({"water", &s.things->water});
+    if (s.weather) {
+        fields.push_back({"weather.base", &s.weather->base});
+        fields.push_back({"weather.strength", &s.weather->strength});
+        fields.push_back({"weather.water", &s.weather->water});
+        fields.push_back({"weather.surface", &s.weather->surface});
+    }
     return fields;
 }
 

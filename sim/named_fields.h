@@ -16,7 +16,7 @@ struct NamedField {
     const Field<float>* values;
 };
 
-// What of a state moves, in the order of its hash, and first_depth; water in a world with things.
+// What of a state moves, in the order of its hash, and first_depth; water in a world with things; what weather has.
 std::vector<NamedField> fields_of(const State& state);
 // What the stages of a plain step leave for the next ones, as far as this world uses them.
 std::vector<NamedField> fields_of(const Scratch<float>& scratch);

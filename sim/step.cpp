@@ -1,11 +1,16 @@
 #include "sim/step.h"
 
+#include <algorithm>
+
 #include "sim/bcre/plain.h"
 #include "sim/engine.h"
 #include "sim/ground.h"
 #include "sim/load_things.h"
 #include "sim/momentum/plain.h"
 #include "sim/sweep/count_mass.h"
+#include "sim/weather/anchor.h"
+#include "sim/weather/hour.h"
+#include "sim/weather/release.h"
 #include "sim/world/params.h"
 #include "sim/world/quanta.h"
 #include "sim/world/state.h"
@@ -38,6 +43,7 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     Workers& workers = engine.workers;
     state.tiles.wake_all();
     scratch.context.things = state.things ? &*state.things : nullptr;
+    scratch.context.weather = state.weather ? &*state.weather : nullptr;
     if (state.mixture) {
         scratch.context.lower = &state.mixture->lower;
         begin_mixing(state, *scratch.context.mixing, workers);
@@ -56,9 +62,42 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     }
 }
 
+// A tick in which nothing rolls: an hour of weather, and what it lets go. Wakes only what rolls then.
+void pass_hour(State& state, Engine& engine) {
+    engine.watch.begin(StageWatch::kCommands);
+    weather::pass_hour(state, *engine.weather, engine.workers);
+    state.tiles.open_all();
+    std::fill(state.tiles.unsmoothed.begin(), state.tiles.unsmoothed.end(), std::uint8_t{1});
+    ++state.tick;
+    if (weather::is_release_hour(state.weather->hours))
+        weather::release(state, *engine.weather, engine.workers);
+    engine.watch.done("weather");
+    count_changed_mass(state, engine.options.instruction_set);
+}
+
+// A flow begins on ground that weather has changed.
+void anchor(State& state, std::span<const Command> commands, Engine& engine) {
+    if (weather::anchor(state)) {
+        find_first_slope(state, state.params, 0, state.grid.nx - 1, 0, state.grid.ny - 1);
+        engine.smoother->smooth(state, engine.workers);  // all tiles are marked for it
+    }
+    if (commands.empty()) return;
+    state.weather->stirred = state.tick;
+    state.weather->greatest_motion = 0;
+}
+
+// The flow has changed the snow that weather goes on with.
+void hand_over(State& state, Engine& engine) {
+    if (weather::settle_creep(state)) count_changed_mass(state, engine.options.instruction_set);
+    if (state.ledger.rolling == 0 && state.running_commands.empty()) weather::reconcile(state);
+}
+
 }  // namespace
 
 void step(State& state, std::span<const Command> commands, Engine& engine) {
+    if (commands.empty() && is_calm(state)) return pass_hour(state, engine);
+    if (state.weather) anchor(state, commands, engine);
+
     // Commands come first: material poured in this tick rolls in this tick, with the parameters set for it.
     engine.watch.begin(StageWatch::kCommands);
     apply_commands(state, commands);
@@ -97,6 +136,7 @@ void step(State& state, std::span<const Command> commands, Engine& engine) {
     load_things(state);
     count_changed_mass(state, engine.options.instruction_set);
     count_still_ticks(state);
+    if (state.weather) hand_over(state, engine);
 }
 
 }  // namespace sim

@@ -10,8 +10,8 @@ namespace sim {
 struct Engine;
 struct Substeps;
 
-// Runs one tick: its commands, then as many sub-steps as the parameters require. A state changes in no other
-// way. The result is bit-identical for any compiler, optimisation level, instruction set, number of threads
+// Runs one tick: its commands, then as many sub-steps as the parameters require; or, if the state is_calm() and there are no
+// commands, an hour of weather. A state changes in no other way. The result is bit-identical for any compiler, optimisation level, instruction set, number of threads
 // and executor. `engine` must be made for this state's world. Allocates only if more commands run than ever
 // before.
 void step(State& state, std::span<const Command> commands, Engine& engine);

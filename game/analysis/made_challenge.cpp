@@ -117,6 +117,10 @@ std::string phrase_of(const Goal::Tool& tool) {
         case sim::CommandKind::kFell:
         case sim::CommandKind::kTurn:
         case sim::CommandKind::kRemove:
+        case sim::CommandKind::kStorm:
+        case sim::CommandKind::kWind:
+        case sim::CommandKind::kTemperature:
+        case sim::CommandKind::kCancel:
             break;
     }
     return fmt::format("{} to {}", count == 1 ? "one place" : fmt::format("{} places", count),

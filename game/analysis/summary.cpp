@@ -17,10 +17,15 @@ namespace {
 
 Json mass_json(const Session& session, const sim::Ledger& mass) {
     const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
-    return {{"initial_m3", m3(mass.initial)},   {"standing_m3", m3(mass.standing)},
-            {"rolling_m3", m3(mass.rolling)},   {"out_m3", m3(mass.out)},
-            {"poured_m3", m3(mass.poured)},     {"dug_m3", m3(mass.dug)},
-            {"error_quanta", mass.mass_error()}};
+    Json json{{"initial_m3", m3(mass.initial)}, {"standing_m3", m3(mass.standing)},
+              {"rolling_m3", m3(mass.rolling)}, {"out_m3", m3(mass.out)},
+              {"poured_m3", m3(mass.poured)},   {"dug_m3", m3(mass.dug)}};
+    if (session.state().weather) {
+        json["fallen_m3"] = m3(mass.fallen);
+        json["melted_m3"] = m3(mass.melted);
+    }
+    json["error_quanta"] = mass.mass_error();
+    return json;
 }
 
 Json place_json(const Scenario& scenario, terrains::LocalPoint point) {
@@ -121,10 +126,14 @@ std::string end_text(Ended ended, const Session& session) {
 
 std::string mass_text(const Session& session, const std::string& what, const sim::Ledger& mass) {
     const auto m3 = [&](std::int64_t quanta) { return session.cubic_metres(quanta); };
+    const std::string weather = session.state().weather ? fmt::format("- fallen {:.1f} + melted {:.1f} ",
+                                                                      m3(mass.fallen), m3(mass.melted))
+                                                        : "";
     return fmt::format(
-        "{}: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} = initial {:.1f} m3, "
+        "{}: standing {:.1f} + rolling {:.1f} + out {:.1f} - poured {:.1f} + dug {:.1f} {}= initial {:.1f} "
+        "m3, "
         "error {} quanta\n",
-        what, m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug),
+        what, m3(mass.standing), m3(mass.rolling), m3(mass.out), m3(mass.poured), m3(mass.dug), weather,
         m3(mass.initial), mass.mass_error());
 }
 

@@ -31,6 +31,8 @@ class _Volumes(TypedDict):
     out: float
     poured: float
     dug: float
+    fallen: float
+    melted: float
     error: float
 
 @final
@@ -97,6 +99,12 @@ class World:
         self, *, x: float, y: float, radius: float, rate: float, duration: float,
         profile: Literal["disc", "cone"] = "disc", slope: _Slope = (0, 90),
     ) -> None: ...
+    def storm(
+        self, *, at: float, hours: float, precipitation: float, wind_from: float, wind_speed: float, warmer: float
+    ) -> None: ...
+    def wind(self, *, at: float, hours: float, wind_from: float, wind_speed: float) -> None: ...
+    def temperature(self, *, at: float, hours: float, warmer: float, cloud: float) -> None: ...
+    def cancel(self, *, event: float) -> None: ...
     def sculpt(
         self, *, x: float, y: float, radius: float, rise: float, profile: Literal["disc", "cone"] = "disc",
         slope: _Slope = (0, 90),
@@ -157,7 +165,7 @@ class World:
         """Of its state, as recordings have it."""
     @property
     def volumes(self) -> _Volumes:
-        """m³: standing + rolling + out - poured + dug = initial, and `error` is what is missing from that, always 0."""
+        """m³: standing + rolling + out - poured + dug - fallen + melted = initial, and `error` is what is missing from that, always 0."""
 
     def field(self, name: str) -> _Floats:
         """By its name in the state; an unknown one is an Error with all names."""

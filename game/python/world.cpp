@@ -144,6 +144,7 @@ py::dict ledger_of(const World& world) {
                     py::arg("standing") = volume(ledger.standing),
                     py::arg("rolling") = volume(ledger.rolling), py::arg("out") = volume(ledger.out),
                     py::arg("poured") = volume(ledger.poured), py::arg("dug") = volume(ledger.dug),
+                    py::arg("fallen") = volume(ledger.fallen), py::arg("melted") = volume(ledger.melted),
                     py::arg("error") = volume(ledger.mass_error()));
 }
 

@@ -8,6 +8,7 @@
 #include "sim/world/command.h"
 #include "sim/world/thing_places.h"
 #include "sim/world/things.h"
+#include "sim/world/weather.h"
 
 namespace game {
 
@@ -51,10 +52,12 @@ Outcome<void> CommandSource::leave_out_clashing() {
         commands_.resize(settled_);
         reason = fmt::format("Not done: {}", *fault);
     }
-    while (const auto fault = sim::fault_of_things(*state_, commands_)) {
-        if (!reason) reason = fmt::format("Not done: {}", fault->fact);
-        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault->command));
-    }
+    const auto leave_out = [&](const auto& fault) {
+        if (!reason) reason = fmt::format("Not done: {}", fault.fact);
+        commands_.erase(commands_.begin() + static_cast<std::ptrdiff_t>(fault.command));
+    };
+    while (const auto fault = sim::fault_of_things(*state_, commands_)) leave_out(*fault);
+    while (const auto fault = sim::fault_of_weather(sim::weather_of(*state_), commands_)) leave_out(*fault);
     settled_ = commands_.size();
     return reason ? unusable(*reason) : Outcome<void>();
 }
@@ -86,6 +89,8 @@ Outcome<void> check_tick(const sim::State& state, std::span<const sim::Command> 
     if (const auto fault = sim::fault_of_visits(state.grid, commands)) return refused(state.tick, *fault);
     if (const auto fault = sim::fault_after(state.params, commands)) return refused(state.tick, *fault);
     if (const auto fault = sim::fault_of_things(state, commands)) return refused(state.tick, fault->fact);
+    if (const auto fault = sim::fault_of_weather(sim::weather_of(state), commands))
+        return refused(state.tick, fault->fact);
     if (const auto fault = sim::float_environment_fault())
         return machine_fails(
             fmt::format("tick {}: {}, so a replay would not be bit-identical", state.tick, *fault));

@@ -360,6 +360,25 @@ Origin origin_from(const Json& json) {
             text(json, "program")};
 }
 
+Json weather_json(const sim::Calendar& calendar) {
+    Json json = Json::object();
+    for (const sim::CalendarNumber& number : sim::kCalendarNumbers)
+        json[std::string(number.name)] = calendar.*number.value;
+    return json;
+}
+
+sim::Calendar weather_from(const Json& json, const Scenario& scenario) {
+    if (!json.is_object()) refuse("weather is not an object");
+    sim::Calendar calendar;
+    for (const sim::CalendarNumber& number : sim::kCalendarNumbers)
+        calendar.*number.value =
+            values::number(json, std::string(number.name).c_str(), number.least, number.most);
+    if (const auto wrong = sim::fault_of(calendar, scenario.params, scenario.density.value_or(0),
+                                         scenario.lower.has_value()))
+        refuse(*wrong);
+    return calendar;
+}
+
 Header read_header(const Json& json, int minor, const Memory& memory) {
     Header header;
     header.minor = minor;
@@ -376,12 +395,14 @@ Header read_header(const Json& json, int minor, const Memory& memory) {
     scenario.params = physics_from(member(json, "physics"), minor);
     if (json.contains("lower")) scenario.lower = lower_from(json.at("lower"), minor, scenario.params);
     view_from(member(json, "view"), scenario);
-    ground_from(member(json, "terrain"), memory, json.contains("things"), scenario);
+    ground_from(member(json, "terrain"), memory, json.contains("things") || json.contains("weather"),
+                scenario);
     if (scenario.lower && json.at("lower").contains("mixed"))
         mixed_from(json.at("lower").at("mixed"), scenario);
     if (const Json& view = member(json, "view"); view.contains("trees"))
         scenario.trees = trees_from(member(view, "trees"), scenario.grid);
     if (json.contains("things")) values::things_from(json.at("things"), scenario);
+    if (json.contains("weather")) scenario.weather = weather_from(json.at("weather"), scenario);
     if (json.contains("goal")) scenario.goal = values::goal_from(json.at("goal"));
     return header;
 }
@@ -410,7 +431,8 @@ Line read_line(const Json& json) {
             whole(json, "tick", 0, kMostTicks),
             hash_of(json, "hash"),
             hashes_before(json),
-            {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug")}};
+            {0, quanta("standing"), quanta("rolling"), quanta("out"), quanta("poured"), quanta("dug"),
+             mass.contains("fallen") ? quanta("fallen") : 0, mass.contains("melted") ? quanta("melted") : 0}};
     }
     if (json.contains("score"))
         return ClaimLine{whole(json, "tick", 0, kMostTicks),
@@ -454,6 +476,7 @@ Json to_json(const Header& header) {
             json["lower"]["mixed"] = std::move(mixed);
     json["terrain"] = ground_json(scenario);
     if (!scenario.standing.empty()) json["things"] = values::things_json(scenario);
+    if (scenario.weather) json["weather"] = weather_json(*scenario.weather);
     if (scenario.goal) json["goal"] = values::goal_json(*scenario.goal);
     return json;
 }
@@ -506,9 +529,12 @@ void write(const StateLine& state, std::string& line) {
         line.back() = ']';
         line += ',';
     }
-    fmt::format_to(
-        out, R"("hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{}}}}})",
-        state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
+    fmt::format_to(out,
+                   R"("hash":"{:016x}","mass":{{"standing":{},"rolling":{},"out":{},"poured":{},"dug":{})",
+                   state.hash, mass.standing, mass.rolling, mass.out, mass.poured, mass.dug);
+    if (mass.fallen != 0) fmt::format_to(out, R"(,"fallen":{})", mass.fallen);
+    if (mass.melted != 0) fmt::format_to(out, R"(,"melted":{})", mass.melted);
+    line += "}}";
 }
 
 void write(const ClaimLine& claim, std::string& line) {

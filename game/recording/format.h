@@ -19,7 +19,7 @@ namespace game {
 // hash of the previous line and of itself, so that damage can be located. docs/recording.md has an example.
 
 inline constexpr int kFormatMajor = 1;  // a reader refuses a greater one
-inline constexpr int kFormatMinor = 3;  // a greater one may have fields that this reader ignores
+inline constexpr int kFormatMinor = 4;  // a greater one may have fields that this reader ignores
 inline constexpr int kPhysicsVersion =
     6;  // of the physics and its hash: recordings of another one play, but are not comparable
 inline constexpr int kTicksPerState = 6;  // between two state lines

@@ -143,6 +143,13 @@ std::vector<std::string> differences_of(const Scenario& a, const Scenario& b) {
         add_numbers("the lower material's ", a.lower->params, b.lower->params, found);
         add_density("the lower material's density", a.lower->density, b.lower->density, found);
     }
+    if (a.weather.has_value() != b.weather.has_value())
+        found.push_back(fmt::format("only the {} has weather", a.weather.has_value() ? "first" : "second"));
+    else if (a.weather)
+        for (const sim::CalendarNumber& number : sim::kCalendarNumbers)
+            if (const double one = (*a.weather).*number.value, other = (*b.weather).*number.value;
+                one != other)
+                found.push_back(differs(fmt::format("the weather's {}", number.name), one, other));
     if (a.grid != b.grid) return found;
     add_field("the cover's depth", a.depth, b.depth, found);
     add_field("the release", a.rolling, b.rolling, found);

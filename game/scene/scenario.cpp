@@ -107,6 +107,7 @@ sim::InitialState initial_state_of(const Scenario& scenario) {
     const Scenario::Standing& standing = scenario.standing;
     world.standing = {standing.forest, standing.placed, standing.earth_budget, standing.earth,
                       standing.water};
+    world.weather = scenario.weather;
     return world;
 }
 

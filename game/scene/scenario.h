@@ -76,7 +76,8 @@ struct Scenario {
         bool operator==(const Standing&) const = default;
     };
     Standing standing;
-    std::optional<Goal> goal;  // of a challenge
+    std::optional<sim::Calendar> weather;  // without fault_of()
+    std::optional<Goal> goal;              // of a challenge
 
     render::Look look;
     render::Light light;

@@ -16,12 +16,14 @@
 #include "game/scene/goal_reach.h"
 #include "game/scene/material.h"
 #include "game/scene/poured_beside.h"
+#include "game/scene/scene_commands.h"
 #include "game/scene/scene_file.h"
 #include "game/scene/scene_goal.h"
 #include "game/scene/scene_ground.h"
 #include "game/scene/scene_light.h"
 #include "game/scene/scene_things.h"
 #include "game/scene/scene_trees.h"
+#include "game/scene/scene_weather.h"
 #include "game/scene/shown_numbers.h"
 #include "game/scene/standing.h"
 #include "render/mountain/overview.h"
@@ -82,79 +84,6 @@ void read_choices(TomlTable& physics, const Overrides& overrides, sim::Params& p
         params.law = law.value_or(params.law);
     }
     take_choices(overrides, params);
-}
-
-sim::Command read_command(TomlTable& table, const sim::CommandInfo& info, bool has_lower) {
-    sim::Command command;
-    command.kind = info.kind;
-    for (const sim::CommandNumber& number : info.numbers) {
-        const auto value = table.number(number.name, number.least, number.most);
-        if (!value) table.blame("", fmt::format("needs {} in {}", number.name, number.unit));
-        command.*number.value = value.value_or(0);
-    }
-    if (info.has_param) {
-        const auto param = sim::param_from(table.text("param").value_or(""));
-        if (!param) table.blame("param", "is not a parameter that can be set");
-        command.param = param.value_or(0);
-        if (const auto wrong = sim::fault_of(command); wrong && param) table.blame("value", *wrong);
-    }
-    if (info.has_layer)
-        if (const auto name = table.text("as")) {
-            const auto layer = sim::layer_from(*name);
-            if (!layer) table.blame("as", "is neither rolling nor standing");
-            command.layer = layer.value_or(command.layer);
-        }
-    if (info.has_profile)
-        if (const auto name = table.text("profile")) {
-            const auto profile = sim::profile_from(*name);
-            if (!profile) table.blame("profile", "is neither disc nor cone");
-            command.profile = profile.value_or(command.profile);
-        }
-    if (info.has_part)
-        if (const auto name = table.text("of")) {
-            const auto part = sim::part_from(*name);
-            if (!part) table.blame("of", "is neither upper nor lower");
-            if (part == sim::Part::kLower && !has_lower)
-                table.blame("of", "is lower, and the scene has no [under]");
-            command.of = part.value_or(command.of);
-        }
-    if (info.has_slope)
-        if (const auto slope = table.numbers("slope", 2)) {
-            command.least_slope = (*slope)[0], command.most_slope = (*slope)[1];
-            const bool rises = sim::Command::kNoLeast <= command.least_slope &&
-                               command.least_slope < command.most_slope &&
-                               command.most_slope <= sim::Command::kNoMost;
-            if (!rises) table.blame("slope", "is not two rising angles of 0 to 90 degrees");
-        }
-    table.finish();
-    return command;
-}
-
-std::string command_names() {
-    std::string names;
-    for (const sim::CommandInfo& info : sim::kCommands)
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", info.name);
-    return names;
-}
-
-std::vector<TimedCommand> read_commands(TomlTable& root, double tick_s, bool has_lower) {
-    std::vector<TimedCommand> commands;
-    for (TomlTable& table : root.tables("command")) {
-        const auto at = table.number("at", 0, 1e5);
-        if (!at) table.blame("", "needs `at`, in seconds");
-        int given = 0;
-        for (const sim::CommandInfo& info : sim::kCommands)
-            if (auto numbers = table.table(info.name)) {
-                commands.push_back(
-                    {std::llrint(at.value_or(0) / tick_s), read_command(*numbers, info, has_lower)});
-                ++given;
-            }
-        table.finish();
-        if (given != 1) table.blame("", fmt::format("needs exactly one of {}", command_names()));
-    }
-    std::stable_sort(commands.begin(), commands.end(),
-                     [](const TimedCommand& a, const TimedCommand& b) { return a.tick < b.tick; });
-    return commands;
 }
 
 // Terrain without a view of its own is seen from the valley, with the sun low and beside the slope, on its southern
@@ -341,8 +270,10 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
     if (auto table = root.table("trees")) trees = read_trees(*table, folder, overrides.references);
     ThingsTables things = read_things(root);
     if (auto wind = root.table("wind")) read_wind(*wind, scenario.wind);
+    auto weather = root.table("weather");
     const bool woods_act = trees.rules.density > 0;
     scene.commands = read_commands(root, params.tick_s, scenario.lower.has_value());
+    if (weather) scenario.weather = read_weather(*weather, scenario, scene.commands);
     auto goal = root.table("goal");
     if (goal) {
         scenario.goal = read_goal(*goal);
@@ -357,12 +288,13 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
         return unusable(fmt::format("{}: {}", path.string(), *wrong));
 
     if (const auto given = ground->text("file")) scene.files.push_back(folder / *given);
-    auto terrain = read_terrain(
-        *ground, folder, {overrides.squares, file.weekly ? overrides.week : std::nullopt},
-        overrides.references, [&](const sim::Grid& grid) {
-            return overrides.memory.allows(grid, scenario.lower.has_value(),
-                                           !things.empty() || woods_act || has_things(scene.commands));
-        });
+    auto terrain =
+        read_terrain(*ground, folder, {overrides.squares, file.weekly ? overrides.week : std::nullopt},
+                     overrides.references, [&](const sim::Grid& grid) {
+                         return overrides.memory.allows(
+                             grid, scenario.lower.has_value(),
+                             !things.empty() || woods_act || weather || has_things(scene.commands));
+                     });
     if (fault) return unusable(*fault);
     if (!terrain) return unusable(terrain.error());
     add_files(terrain->files, scene);
@@ -383,6 +315,7 @@ Outcome<Scene> read_scene(TomlTable& root, const SceneFile& file, const Override
                             path.string(), most, kDeepestCover));
     }
     set_ground(scenario, *terrain);
+    if (weather) place_weather(*weather, scenario);
     if (const auto beside = warning_of_pours(scenario.grid, scenario.has_data, scene.commands))
         scene.warnings.push_back(fmt::format("{}: {}", path.string(), *beside));
     stand(std::move(things), woods_act && !scenario.model, scenario);

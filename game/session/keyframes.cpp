@@ -48,6 +48,9 @@ std::size_t bytes_of(const Session::Checkpoint& moment) {
     if (w.things)
         bytes += bytes_of_all(w.things->earth, w.things->first_slope, w.things->forest, w.things->water,
                               w.things->list);
+    if (w.weather)
+        bytes += bytes_of_all(w.weather->base, w.weather->strength, w.weather->water, w.weather->surface,
+                              w.weather->program);
     if (const auto& t = moment.textures)
         bytes += bytes_of_all(t->offset, t->mix, t->deformation, t->moving, t->beside, t->gradient);
     return bytes;

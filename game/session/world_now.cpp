@@ -156,6 +156,10 @@ void take_mixture(const sim::Mixture& mixture, Scenario::Lower& lower) {
 
 Outcome<Scenario> scenario_of_now(const Scenario& initial, const sim::State& state) {
     if (initial.flow) return unusable("a flow demo has no world to save");
+    if (initial.weather)
+        return unusable(
+            "a world with weather cannot be saved, because its weak layers would be lost; its recording "
+            "can");
     Scenario now = initial;
     now.goal.reset();
     now.camera_path.clear();  // its times are those of the world before

@@ -10,7 +10,8 @@
 // Exchange between the layers of bcre-inertial, after the forces. S = |∇(b + d)| is the slope of the standing
 // ground, without the rolling layer, whose face would otherwise erode the more, the finer the grid.
 //
-//     S > s_ero:  Γ = +k |v| (S − s_ero) max(0, R − R_ero)/R       at most d, and half of R in a sub-step
+//     S > s_ero:  Γ = +k |v| (S − s_ero) max(0, R − R_ero)/R       at most d, and half of R in a sub-step;
+//                                                                  with weather at most d − B, the slab
 //     S < μ(h):   Γ = −γ R (μ(h) − S) max(0, 1 − |v|/v_dep)
 //
 // A forest catches snow (Feistl et al. 2014, here with the speed as its measure):
@@ -27,13 +28,14 @@ namespace sim::momentum {
 
 inline constexpr float kMostCaught = 0.2f;  // of R
 
-// Rows y = 0 … ny-1. Reads b, d, R and cosine, of a world with things also detrain, water and walls; writes exchanged and fed,
+// Rows y = 0 … ny-1. Reads b, d, R and cosine, of a world with things also detrain, water, floor and walls; writes exchanged and fed,
 // both in whole quanta, and slows driven_u and driven_v.
 template <class Number, bool has_things = false, class S = Scalar<Number>>
 auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
     return [c = w.c, ground = ground_rows(w, w.u0.depth, y), rolling = w.u0.rolling[y], cosine = w.cosine[y],
             walls = wall_rows<has_things>(w, y), detrain = thing_row<has_things>(w.things.detrain, y),
-            water = thing_row<has_things>(w.things.water, y), to_u = to.driven_u[y], to_v = to.driven_v[y],
+            water = thing_row<has_things>(w.things.water, y),
+            below = thing_row<has_things>(w.things.floor, y), to_u = to.driven_u[y], to_v = to.driven_v[y],
             to_exchanged = to.exchanged[y], to_fed = to.fed[y]](int i) {
         const Number none(0), r = at<Number>(rolling, i);
         const Number u = at<Number>(to_u, i), v = at<Number>(to_v, i), squared = u * u + v * v;
@@ -47,11 +49,13 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
 
         Number erodes(c.erosion_slope);
         if constexpr (has_things) erodes *= effective_share<Number>(water, i, c);
+        Number free = d;
+        if constexpr (has_things) free = max(d - at<Number>(below, i), none);
         const Number steep = max(slope - erodes, none), above = max(r - c.erosion_depth, none);
         Number change = none;
         if (any(steep * above > S{0})) {
             const Number wanted = (c.eroded_per_speed * speed) * (steep * above / max(r, Number(S(1e-12))));
-            change = min(min(wanted, d), S(0.5) * r);
+            change = min(min(wanted, free), S(0.5) * r);
         }
         const Number slow = max(Number(1) - speed * c.per_deposit_speed, none);
         if (any(slow > S{0})) {
@@ -67,7 +71,7 @@ auto exchange(const StageRows<S>& w, Fields<Rows<S>>& to, int y) {
         }
         const Number whole =
             with_its_sign(change, [&](const Number& size) { return in_quanta(size, c.dither); });
-        const Number exchanged = select(moves, min(max(whole, -r), d), none);
+        const Number exchanged = select(moves, min(max(whole, -r), free), none);
         const Number fed = r + exchanged;
         const auto feeds = exchanged > S{0};
         const Number kept = select(feeds, r / select(feeds, fed, Number(1)), Number(1));

@@ -5,6 +5,7 @@
 #include "sim/stages/plain_context.h"
 #include "sim/world/layers.h"
 #include "sim/world/things.h"
+#include "sim/world/weather.h"
 
 namespace sim::momentum {
 
@@ -24,16 +25,23 @@ StageRows<Number> stage_rows(Layers<Number>& layers, const Params& params, Field
 
 namespace {
 
-ThingRows<float> thing_rows(Things& t) {
-    return {Rows<float>(t.natural),   Rows<float>(t.drag),   Rows<float>(t.detrain), Rows<float>(t.hold),
-            Rows<float>(t.net_depth), Rows<float>(t.wall_x), Rows<float>(t.wall_y),  Rows<float>(t.water)};
+ThingRows<float> thing_rows(Things& t, Weather* weather) {
+    return {Rows<float>(t.natural),
+            Rows<float>(t.drag),
+            Rows<float>(t.detrain),
+            Rows<float>(t.hold),
+            Rows<float>(t.net_depth),
+            Rows<float>(t.wall_x),
+            Rows<float>(t.wall_y),
+            Rows<float>(t.water),
+            weather ? Rows<float>(weather->base) : Rows<float>(t.no_floor.row(0), 0)};
 }
 
 template <class Number, bool has_things>
 void all_stages(Layers<Number>& layers, const Params& params, Fields<Field<Number>>& fields,
                 const PlainContext& context, Workers& workers, Substep<Number> sub) {
     StageRows<Number> w = stage_rows(layers, params, fields, sub);
-    if constexpr (has_things) w.things = thing_rows(*context.things);
+    if constexpr (has_things) w.things = thing_rows(*context.things, context.weather);
     const bool exchanges = params.model == Model::kBcreInertial;
     if (!exchanges) w.exchange_nothing();
     const Outlets::View outlets = context.outlets.view();

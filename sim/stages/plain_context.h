@@ -12,6 +12,7 @@
 namespace sim {
 
 struct Things;
+struct Weather;
 
 // What the plain step of either model needs besides fields.
 struct PlainContext {
@@ -21,7 +22,9 @@ struct PlainContext {
     const Params* lower = nullptr;
     std::optional<Mixing> mixing = std::nullopt;
 
-    Things* things = nullptr;  // of a world that has any; the owner of the state sets it
+    // Of a world that has any; the owner of the state sets them.
+    Things* things = nullptr;
+    Weather* weather = nullptr;
 
     // voellmy: counts limited vertices, one number for each row.
     std::int64_t* limited_in_row = nullptr;

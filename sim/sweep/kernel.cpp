@@ -135,10 +135,15 @@ class Kernel {
         w.first_slope = Rows<float>(g_.first_slope, g_.stride);
         w.first_depth = Rows<float>(g_.first_depth, g_.stride);
         if constexpr (has_things)
-            w.things = {of_world(g_.things.natural),   of_world(g_.things.drag),
-                        of_world(g_.things.detrain),   of_world(g_.things.hold),
-                        of_world(g_.things.net_depth), of_world(g_.things.wall_x),
-                        of_world(g_.things.wall_y),    of_world(g_.things.water)};
+            w.things = {of_world(g_.things.natural),
+                        of_world(g_.things.drag),
+                        of_world(g_.things.detrain),
+                        of_world(g_.things.hold),
+                        of_world(g_.things.net_depth),
+                        of_world(g_.things.wall_x),
+                        of_world(g_.things.wall_y),
+                        of_world(g_.things.water),
+                        Rows<float>(g_.things.floor, g_.things.floor_stride)};
         each_field(rows.keep(4), w);
         // The row beyond the border is written with the last one.
         for (Rows<float>* early : {&w.driven_u, &w.driven_v, &w.fed}) rows.keep(8)({}, *early);

@@ -13,9 +13,18 @@ namespace {
 constexpr int kAproned = 4;             // fields that a job changes while adjacent jobs read them
 constexpr int kApronRows = kApron + 1;  // of each field on each side; one more for the halo at a border
 
-Ground::Things pointers_to(Things& t) {
-    return {t.natural.row(0),   t.drag.row(0),   t.detrain.row(0), t.hold.row(0),
-            t.net_depth.row(0), t.wall_x.row(0), t.wall_y.row(0),  t.water.row(0)};
+Ground::Things pointers_to(State& s) {
+    Things& t = *s.things;
+    return {t.natural.row(0),
+            t.drag.row(0),
+            t.detrain.row(0),
+            t.hold.row(0),
+            t.net_depth.row(0),
+            t.wall_x.row(0),
+            t.wall_y.row(0),
+            t.water.row(0),
+            s.weather ? s.weather->base.row(0) : t.no_floor.row(0),
+            s.weather ? s.weather->base.stride() : 0};
 }
 
 }  // namespace
@@ -99,7 +108,7 @@ Ground Sweeper::ground_of(State& s, Substep<float> sub) {
             .first_depth = s.first_depth.row(0),
             .smooth_depth = s.smooth_depth.row(0),
             .has_things = s.things.has_value(),
-            .things = s.things ? pointers_to(*s.things) : Ground::Things{},
+            .things = s.things ? pointers_to(s) : Ground::Things{},
             .borders = s.params.borders,
             .outlets = outlets_.view(),
             .model = s.params.model,

@@ -25,6 +25,8 @@ struct Ground {
     float *bedrock, *depth, *rolling, *velocity_x, *velocity_y, *first_slope, *first_depth, *smooth_depth;
     struct Things {
         float *natural, *drag, *detrain, *hold, *net_depth, *wall_x, *wall_y, *water;
+        float* floor;
+        std::ptrdiff_t floor_stride;  // 0: one row for all
     };
     bool has_things;
     Things things;                  // none, unless has_things

@@ -184,7 +184,13 @@ std::optional<std::string> fault_of(const Command& command, bool has_lower) {
             return std::string(info.name) + "'s " + std::string(number.name) + " is " +
                    number_text(value, number.unit) + ", outside " + number_text(number.least) + " to " +
                    number_text(number.most);
+        if (number.whole && value != std::floor(value))
+            return std::string(info.name) + "'s " + std::string(number.name) + " is " +
+                   number_text(value, number.unit) + ", not a whole number";
     }
+    if (command.kind == CommandKind::kStorm && command.precipitation > kMostStorm * command.hours)
+        return "storm's precipitation is " + number_text(command.precipitation / command.hours, "mm") +
+               " an hour, above " + number_text(kMostStorm);
     if (info.has_slope &&
         !(command.least_slope >= Command::kNoLeast && command.most_slope <= Command::kNoMost &&
           command.least_slope < command.most_slope))  // NaN too
@@ -283,6 +289,13 @@ void apply_commands(State& state, std::span<const Command> commands) {
             case CommandKind::kWet:
             case CommandKind::kDrain:
                 soak(state, c, tick, ticks_of(c, state.params.tick_s), tick_s);
+                break;
+            case CommandKind::kStorm:
+            case CommandKind::kWind:
+            case CommandKind::kTemperature:
+            case CommandKind::kCancel:
+                CHECK(state.weather);
+                change_program(*state.weather, c);
                 break;
             case CommandKind::kSet:
                 set_number(state.params, c);

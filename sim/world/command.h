@@ -33,6 +33,11 @@ enum class CommandKind : std::uint8_t {
     // Of the water in the soil (things.h).
     kWet,
     kDrain,
+    // Of the weather (weather.h).
+    kStorm,
+    kWind,
+    kTemperature,
+    kCancel,
 };
 enum class Layer : std::uint8_t { kRolling, kStanding };
 enum class Part : std::uint8_t { kUpper, kLower };   // which of the two materials (mixture.h)
@@ -58,6 +63,8 @@ struct Command {
     double length = 0, width = 0, height = 0;             // of a building; height of trees and nets too
     double turn = 0, strength = 0;                        // of a building; strength of nets too
     double least_slope = kNoLeast, most_slope = kNoMost;  // of the ground; vertices outside are left alone
+    double at = 0, hours = 0, event = 0;  // of weather: its first hour and how many; its number
+    double precipitation = 0, wind_from = 0, wind_speed = 0, warmer = 0, cloud = 0;
 
     static constexpr double kNoLeast = 0, kNoMost = 90;  // degrees
     bool operator==(const Command&) const = default;
@@ -68,7 +75,8 @@ struct CommandNumber {
     double Command::*value;
     double least, most;
     std::string_view meaning;
-    double usual = 0;  // where a table of things leaves it out and where a tool begins; 0: none
+    double usual = 0;    // where a table of things leaves it out and where a tool begins; 0: none
+    bool whole = false;  // a whole number
 };
 
 inline constexpr double kFarthest = 1e7;  // m, any coordinate
@@ -216,6 +224,33 @@ inline constexpr CommandNumber kDrainNumbers[] = {
     {"duration", "s", &Command::duration, 0, 1e5, "rounded to whole ticks, at least one"},
 };
 
+inline constexpr double kMostStorm = 50;  // mm/h
+inline constexpr CommandNumber kStormNumbers[] = {
+    {"at", "h", &Command::at, 0, 8783, "first hour, of the calendar", 0, true},
+    {"hours", "h", &Command::hours, 1, 8784, "how long it lasts", 0, true},
+    {"precipitation", "mm", &Command::precipitation, 0, 1000,
+     "water that falls in all, at the height of reference; at most 50 mm in an hour"},
+    {"wind_from", "deg", &Command::wind_from, -360, 360, "where the wind comes from: 0 north, 90 east"},
+    {"wind_speed", "m/s", &Command::wind_speed, 0, 60, "of the wind, high above the ground"},
+    {"warmer", "K", &Command::warmer, -30, 30, "how much warmer it is than usual; colder if negative"},
+};
+inline constexpr CommandNumber kWindNumbers[] = {
+    {"at", "h", &Command::at, 0, 8783, "first hour, of the calendar", 0, true},
+    {"hours", "h", &Command::hours, 1, 8784, "how long it lasts", 0, true},
+    {"wind_from", "deg", &Command::wind_from, -360, 360, "where the wind comes from: 0 north, 90 east"},
+    {"wind_speed", "m/s", &Command::wind_speed, 0, 60, "of the wind, high above the ground"},
+};
+inline constexpr CommandNumber kTemperatureNumbers[] = {
+    {"at", "h", &Command::at, 0, 8783, "first hour, of the calendar", 0, true},
+    {"hours", "h", &Command::hours, 1, 8784, "how long it lasts", 0, true},
+    {"warmer", "K", &Command::warmer, -30, 30, "how much warmer it is than usual; colder if negative"},
+    {"cloud", "1", &Command::cloud, 0, 1, "share of the sky that clouds cover; usual are 0.2"},
+};
+inline constexpr CommandNumber kCancelNumbers[] = {
+    {"event", "1", &Command::event, 1, 1000, "number of the storm, wind or temperature, as they were given",
+     0, true},
+};
+
 // The manifest that generates the readers and writers of recordings and scenes, and their tests.
 struct CommandInfo {
     CommandKind kind;
@@ -263,6 +298,14 @@ inline constexpr CommandInfo kCommands[] = {
      "adds water to the soil for a duration"},
     {CommandKind::kDrain, "drain", kDrainNumbers, false, true, false, false, true,
      "takes water from the soil for a duration"},
+    {CommandKind::kStorm, "storm", kStormNumbers, false, false, false, false, false,
+     "lets it snow, or rain where it is warm, in hours of the calendar"},
+    {CommandKind::kWind, "wind", kWindNumbers, false, false, false, false, false,
+     "lets a wind blow in hours of the calendar"},
+    {CommandKind::kTemperature, "temperature", kTemperatureNumbers, false, false, false, false, false,
+     "makes hours of the calendar warmer or colder"},
+    {CommandKind::kCancel, "cancel", kCancelNumbers, false, false, false, false, false,
+     "ends a storm, wind or temperature, or takes it back"},
 };
 
 const CommandInfo& info_of(CommandKind kind);

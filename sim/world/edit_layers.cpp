@@ -55,7 +55,8 @@ void settle_at(State& s, int x, int y, float amount) {
     stop_mixture(s, x, y, amount);
     s.depth(x, y) += amount;
     set_rolling(s, x, y, s.rolling(x, y) - amount);
-    s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));
+    // With weather d₀ tells what moved until the next anchor (sim/weather/anchor.h).
+    if (!s.weather) s.first_depth(x, y) = std::max(s.first_depth(x, y), s.depth(x, y));
 }
 
 }  // namespace sim

@@ -39,9 +39,9 @@ void restore_things(const Snapshot& snapshot, State& s) {
 }  // namespace
 
 Snapshot take_snapshot(const State& s) {
-    return {s.params,      s.depth,        s.rolling,     s.velocity_x,       s.velocity_y,
-            s.first_depth, s.smooth_depth, s.tick,        s.running_commands, s.ledger,
-            s.mixture,     s.limited,      standing_in(s)};
+    return {s.params,      s.depth,        s.rolling, s.velocity_x,       s.velocity_y,
+            s.first_depth, s.smooth_depth, s.tick,    s.running_commands, s.ledger,
+            s.mixture,     s.weather,      s.limited, standing_in(s)};
 }
 
 void restore(const Snapshot& snapshot, State& s) {
@@ -57,6 +57,7 @@ void restore(const Snapshot& snapshot, State& s) {
     s.running_commands = snapshot.running_commands;
     s.ledger = snapshot.ledger;
     s.mixture = snapshot.mixture;
+    s.weather = snapshot.weather;
     s.limited = snapshot.limited;
     restore_things(snapshot, s);
     s.still_ticks = 0;  // known again after two ticks

@@ -17,6 +17,7 @@ struct Snapshot {
     std::vector<RunningCommand> running_commands;
     Ledger ledger;
     std::optional<Mixture> mixture;
+    std::optional<Weather> weather;
     std::int64_t limited = 0;
 
     struct Standing {

@@ -17,7 +17,12 @@ bool has_velocity(const State& state) {
 
 bool at_rest(const State& state) {
     const bool stands = state.ledger.rolling == 0 || state.still_ticks == 2;
-    return stands && state.running_commands.empty();
+    return stands && state.running_commands.empty() && (!state.weather || state.weather->is_over());
+}
+
+bool is_calm(const State& state) {
+    return state.weather && !state.weather->is_over() && state.ledger.rolling == 0 &&
+           state.running_commands.empty();
 }
 
 void count_still_ticks(State& state) {

@@ -14,6 +14,7 @@
 #include "sim/world/params.h"
 #include "sim/world/state_hash.h"
 #include "sim/world/things.h"
+#include "sim/world/weather.h"
 
 namespace sim {
 
@@ -36,7 +37,9 @@ struct State : Layers<float> {
     Ledger ledger;                                 // where the mass is
 
     std::optional<Mixture> mixture;  // of a world of two materials
-    std::optional<Things> things;    // of a world where anything stands, was sculpted or is wet
+    std::optional<Things>
+        things;  // of a world where anything stands, was sculpted or is wet; or that has weather
+    std::optional<Weather> weather;  // of a world that has any
 
     // Vertices times sub-steps whose speed passed greatest_speed and was cut to it, since the world began.
     // Not part of the hash, because it follows from the rest.
@@ -50,8 +53,18 @@ struct State : Layers<float> {
 };
 
 // Nothing rolls and nothing is being poured or dug: with no further command every later tick leaves the same
-// fields. In voellmy, whose layer is not deposited, nothing moved for two ticks.
+// fields. In voellmy, whose layer is not deposited, nothing moved for two ticks. In a world with weather its calendar is
+// over, too.
 bool at_rest(const State& state);
+
+// The next tick without commands is an hour of weather: nothing rolls or is being poured or dug, and the calendar is not
+// over.
+bool is_calm(const State& state);
+
+// None in a world without weather.
+inline const Weather* weather_of(const State& state) {
+    return state.weather ? &*state.weather : nullptr;
+}
 
 // Counts still_ticks. Call at the end of a tick.
 void count_still_ticks(State& state);

@@ -40,7 +40,7 @@ struct Blocks {
 // The vertices of a block, field after field.
 std::uint64_t block_hash(const Blocks& blocks, std::size_t block,
                          std::initializer_list<const Field<float>*> fields) {
-    constexpr int kMostFields = 7;
+    constexpr int kMostFields = 8;
     CHECK(fields.size() <= kMostFields);
     float values[kMostFields * kBlockWidth * kBlockHeight];
     const auto columns = static_cast<std::size_t>(blocks.columns);
@@ -59,6 +59,10 @@ std::uint64_t moving_hash(const State& s, const Blocks& blocks, std::size_t bloc
         return block_hash(
             blocks, block,
             {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y, &m->rolling, &m->settled, &m->untouched});
+    if (const auto& w = s.weather)
+        return block_hash(blocks, block,
+                          {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y, &w->base, &w->strength,
+                           &w->water, &w->surface});
     return block_hash(blocks, block, {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y});
 }
 
@@ -142,6 +146,16 @@ void add_things(Digest& digest, const Things& t, std::uint64_t fields) {
     }
 }
 
+void add_weather(Digest& digest, const Weather& w) {
+    digest.add(w.hours);
+    for (const WeatherEvent& event : w.program) {
+        add_command(digest, event.command);
+        digest.add(event.until);
+    }
+    for (const std::int64_t number : {std::int64_t{w.anchored}, w.stirred, w.greatest_motion})
+        digest.add(number);
+}
+
 std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t moving,
                          std::optional<std::uint64_t> things) {
     Digest digest;
@@ -154,6 +168,7 @@ std::uint64_t whole_hash(const State& s, std::uint64_t bedrock, std::uint64_t mo
     }
     digest.add(std::uint64_t{0});  // of no meaning: without it every hash that was ever recorded would change
     if (things) add_things(digest, *s.things, *things);
+    if (s.weather) add_weather(digest, *s.weather);
     return digest.value();
 }
 

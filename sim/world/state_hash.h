@@ -10,7 +10,8 @@ struct State;
 
 // 64 bits of all that moves: bedrock, depth, rolling layer, velocity x and y, of a mixed world what of the
 // lower material rolls, is settled and is untouched, unpadded and as bits, in blocks of 64 by 32 vertices;
-// then tick, running sources, and what stands in the world if anything does. XXH3, whose value is the same on every
+// of a world with weather its four fields; then tick, running sources, what stands in the world if anything does, and of
+// weather hour and program. XXH3, whose value is the same on every
 // machine; zero and minus zero differ. Parameters are not in it: a number that was set shows as soon as it makes a difference.
 std::uint64_t state_hash(const State& state);
 

@@ -201,6 +201,7 @@ Things::Things(const Grid& grid)
       water(grid),
       natural(grid),
       natural_slope(grid),
+      no_floor(Grid{grid.nx, 1, grid.dx}),
       built(grid),
       built_drag(grid),
       drag(grid),

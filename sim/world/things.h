@@ -119,6 +119,7 @@ struct Things {
 
     // Constants of the world: bedrock (m above datum) and S₀ without earth and buildings.
     Field<float> natural, natural_slope;
+    Field<float> no_floor;  // one row of zeros: of a world without weather a flow may erode all
 
     // Known from the state; see rebuild_objects() and renew_ground().
     Field<float> built;       // m of bedrock that is a building, or its rubble

@@ -152,8 +152,10 @@ TEST(Tools, do_the_opposite_with_control_and_smooth_earth_with_shift) {
         EXPECT_EQ(kind(tool, kControlHeld), CommandKind::kRemove);
 }
 
-TEST(Tools, reach_every_command_but_those_of_parameters_and_turning) {
-    constexpr sim::CommandKind kWithout[] = {sim::CommandKind::kSet, sim::CommandKind::kTurn};
+TEST(Tools, reach_every_command_but_those_of_parameters_turning_and_weather) {
+    constexpr sim::CommandKind kWithout[] = {sim::CommandKind::kSet,         sim::CommandKind::kTurn,
+                                             sim::CommandKind::kStorm,       sim::CommandKind::kWind,
+                                             sim::CommandKind::kTemperature, sim::CommandKind::kCancel};
     std::set<sim::CommandKind> kinds;
     for (const ToolInfo& info : tool_infos())
         for (const Deed* deed : {info.plain, info.control, info.shift}) kinds.insert(deed->kind);

@@ -114,6 +114,7 @@ constexpr Kept kKept[] = {
     {"goal", 7, 3600, true, [](const Header& h) { return h.scenario.goal.has_value(); }},
     {"saved_world", 1, 60, true, [](const Header& h) { return !h.scenario.lower->settled.empty(); }},
     {"water", 2, 90, true, [](const Header& h) { return !h.scenario.standing.water.empty(); }, 3},
+    {"weather", 4, 180, true, [](const Header& h) { return h.scenario.weather.has_value(); }, 4},
 };
 
 INSTANTIATE_TEST_SUITE_P(Files, KeptRecording, testing::ValuesIn(kKept),

@@ -298,7 +298,7 @@ TEST(RecordingLine, keeps_every_member_of_any_valid_command) {
     std::mt19937 random(7);
     const auto maybe = [&](auto usual, auto other) { return random() % 4 == 0 ? other : usual; };
     int taken = 0;
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 24'000; ++i) {
         const sim::Command usual;
         TimedCommand before{i, usual};
         sim::Command& c = before.command;

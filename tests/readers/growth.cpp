@@ -256,7 +256,8 @@ const std::vector<Growing>& all_growing() {
                              "{\"x\":[" + repeated(n, [](int) { return "{}"; }) + "],\"end\":0"});
          },
          reads_recording},
-        {"commands_in_one_tick", 2000,
+        // The capacity of a vector of ten times as many is 8 times as large; from 2000 on it would be 16 times.
+        {"commands_in_one_tick", 1600,
          [](int n) {
              std::vector<std::string> bodies{header_body(small_scenario())};
              std::string line;

@@ -82,6 +82,11 @@ Scenario random_start(Dice& dice) {
         scenario.lower = Scenario::Lower{"soil", lower, std::move(depth), 2000, {}, {}};
     }
     if (!dice.one_in(4)) scenario.density = 1500;  // with none, water is refused
+    if (scenario.params.model == sim::Model::kBcreInertial && !scenario.lower && scenario.density &&
+        dice.one_in(2)) {
+        scenario.weather = sim::Calendar{.hours = static_cast<double>(dice.between(1, 120))};
+        scenario.weather->seed = dice.below(1000);
+    }
     if (dice.one_in(6)) scenario.look.flow = render::FlowLook{render::FlowPattern::kSoil};  // tracks fronts
     return scenario;
 }
@@ -119,6 +124,14 @@ sim::Command random_command(Dice& dice, const Scenario& scenario) {
             value = dice.real(number.least, number.most);
         if (number.name == "strength") value = dice.real(0.5, 20);
         if (number.name == "stems") value = dice.real(50, 1200);
+        if (number.name == "at") value = dice.between(0, 80);
+        if (number.name == "hours") value = dice.between(1, 30);
+        if (number.name == "precipitation") value = dice.real(0, 12) * command.hours;
+        if (number.name == "wind_from") value = dice.real(-360, 360);
+        if (number.name == "wind_speed") value = dice.real(0, 25);
+        if (number.name == "warmer") value = dice.real(-20, 20);
+        if (number.name == "cloud") value = dice.real(0, 1);
+        if (number.name == "event") value = dice.between(1, 3);
     }
     if (info.has_slope && dice.one_in(6)) {
         command.least_slope = dice.real(0, 40);
@@ -270,6 +283,10 @@ class Lockstep {
             for (const auto& [name, field] : kLowerFields)
                 if (!support::same_bits((*a.mixture).*field, (*b.mixture).*field))
                     return wrong(fmt::format("{} of the lower material differs", name));
+        if (a.weather)
+            for (const auto& [name, field] : kWeatherFields)
+                if (!support::same_bits((*a.weather).*field, (*b.weather).*field))
+                    return wrong(fmt::format("{} of the weather differs", name));
         if (a.running_commands != b.running_commands) return wrong("other running commands");
         if (a.ledger != b.ledger) return wrong("another ledger");
         for (const Sandbox* each : {&*played_, &*plain_}) {
@@ -292,6 +309,12 @@ class Lockstep {
         {"rolling", &sim::Mixture::rolling},
         {"settled", &sim::Mixture::settled},
         {"untouched", &sim::Mixture::untouched}};
+
+    static constexpr std::pair<const char*, sim::Field<float> sim::Weather::*> kWeatherFields[] = {
+        {"base", &sim::Weather::base},
+        {"strength", &sim::Weather::strength},
+        {"water", &sim::Weather::water},
+        {"surface", &sim::Weather::surface}};
 
     std::filesystem::path folder_;
     Tally& tally_;

@@ -244,7 +244,7 @@ Command sound(const sim::CommandInfo& info) {
     Command command;
     command.kind = info.kind;
     for (const sim::CommandNumber& number : info.numbers)
-        command.*number.value = std::clamp(0.25, number.least, number.most);
+        command.*number.value = std::clamp(number.whole ? 1 : 0.25, number.least, number.most);
     if (info.has_param) command.param = sim::param_from("start_depth").value();
     return command;
 }
@@ -265,7 +265,8 @@ TEST(Command, is_refused_with_a_member_that_its_kind_does_not_use) {
             const auto used = std::find_if(info.numbers.begin(), info.numbers.end(),
                                            [&](const auto& number) { return number.value == member; });
             const bool is_used = used != info.numbers.end();
-            EXPECT_EQ(refused(member, is_used ? std::clamp(0.5, used->least, used->most) : 0.5), !is_used)
+            const double other = is_used && used->whole ? 2 : 0.5;
+            EXPECT_EQ(refused(member, is_used ? std::clamp(other, used->least, used->most) : other), !is_used)
                 << info.name;
             // -0 and 0 have different bits, which the state hash sees.
             if (Command{}.*member == 0 && !(is_used && used->least > 0)) {

@@ -28,6 +28,7 @@ std::vector<sim::Command> any_commands(std::mt19937& random, double extent) {
         if (info.has_param) continue;  // any_number, below
         sim::Command c;
         c.kind = info.kind;
+        if (sim::is_of_weather(c)) continue;  // tests/sim/weather.cpp
         c.x = within(-0.2, 1.2) * extent;
         c.y = within(-0.2, 1.2) * extent;
         c.radius = within(0, 0.3) * extent;

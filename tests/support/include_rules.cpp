@@ -55,6 +55,7 @@ std::vector<Room> make_rooms() {
     in_sim("sim/momentum", {"sim/momentum/", "sim/stages/", "sim/world/", "sim/simd/", "sim/core/"});
     in_sim("sim/sweep", {"sim/sweep/", "sim/bcre/", "sim/momentum/", "sim/stages/", "sim/world/", "sim/simd/",
                          "sim/core/"});
+    in_sim("sim/weather", {"sim/weather/", "sim/world/", "sim/simd/", "sim/core/"});
     in_sim("sim/front", {"sim/front/", "sim/simd/", "sim/core/"});
     in_sim("sim/powder", {"sim/powder/", "sim/world/", "sim/core/"});
     in_sim("sim/carried", {"sim/carried/", "sim/world/", "sim/core/"});

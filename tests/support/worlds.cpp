@@ -25,6 +25,7 @@ sim::InitialState Ground::world() const {
     if (lower) world.lower = sim::InitialState::Lower{*lower, lower_depth};
     world.density = density, world.lower_density = lower_density;
     world.standing = {forest, placed, earth_budget};
+    world.weather = weather;
     return world;
 }
 

@@ -26,6 +26,7 @@ struct Ground {
     std::vector<sim::Stems> forest;        // none, or one for each vertex
     std::vector<sim::Command> placed;      // things at tick 0
     double earth_budget = -1;              // m³
+    std::optional<sim::Calendar> weather;
 
     explicit Ground(const sim::Grid& on);
     // Sets a field from a function of x and y in metres.
