@@ -45,7 +45,7 @@ class Drift {
 
   private:
     bool is_ground(int x, int y) const { return s_.site(x, y) == Site::kGround; }
-    static std::size_t at(int x) { return static_cast<std::size_t>(x + 1); }
+    static std::size_t at(int x) { return static_cast<std::size_t>(std::int64_t{x} + 1); }
 
     // Quanta that the wind can carry over a vertex.
     std::int32_t capacity(int x, int y) const {

@@ -161,7 +161,7 @@ class Passing {
 void find_gradient(const State& s, Work& work, int first, int last) {
     constexpr float kOver = 12;  // m, half
     const Grid& grid = s.grid;
-    const int reach = std::max(1, static_cast<int>(kOver / grid.dx + 0.5f));
+    const int reach = std::max(1, static_cast<int>(std::lround(kOver / grid.dx)));
     for (int y = first; y < last; ++y) {
         const int south = std::max(y - reach, 0), north = std::min(y + reach, grid.ny - 1);
         const float height = static_cast<float>(std::max(north - south, 1)) * grid.dx;
