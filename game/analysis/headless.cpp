@@ -58,8 +58,10 @@ Outcome<Ended> play_headless(Session& session, std::span<const TimedCommand> com
             !commands_from(commands, state.tick).empty())
             return std::nullopt;
         if (sim::at_rest(state)) return Ended::kStill;
-        const bool may_end =
-            until.rest == Until::Rest::kEnergy && state.running_commands.empty() && !session.is_in_try();
+        const bool is_last_flow =
+            !state.weather || state.weather->is_over();  // else the calendar continues after it
+        const bool may_end = until.rest == Until::Rest::kEnergy && is_last_flow &&
+                             state.running_commands.empty() && !session.is_in_try();
         if (may_end && session.energy() < greatest_energy / Until::kEnergyFallsBy) return Ended::kEnergy;
         return std::nullopt;
     };
