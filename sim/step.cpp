@@ -62,7 +62,7 @@ void substep_plainly(State& state, Engine& engine, const Substep<float>& sub) {
     }
 }
 
-// A tick in which nothing rolls: an hour of weather, and what it lets go. Wakes only what rolls then.
+// A tick without flow: an hour of weather, and the slabs that let go after it. Wakes only their tiles.
 void pass_hour(State& state, Engine& engine) {
     engine.watch.begin(StageWatch::kCommands);
     weather::pass_hour(state, *engine.weather, engine.workers);
@@ -86,7 +86,7 @@ void anchor(State& state, std::span<const Command> commands, Engine& engine) {
     state.weather->greatest_motion = 0;
 }
 
-// The flow has changed the snow that weather goes on with.
+// After a tick of flow: weather continues on the snow that it has changed.
 void hand_over(State& state, Engine& engine) {
     if (weather::settle_creep(state)) count_changed_mass(state, engine.options.instruction_set);
     if (state.ledger.rolling == 0 && state.running_commands.empty()) weather::reconcile(state);

@@ -163,8 +163,7 @@ static_assert(members_visited<Fields<char>>([](auto visit, auto& f) { each_field
 template <class Scalar>
 struct ThingRows {
     Rows<Scalar> natural, drag, detrain, hold, net_depth, wall_x, wall_y, water;
-    Rows<Scalar>
-        floor;  // m of d that a flow leaves alone: what lies below a weak layer of snow (world/weather.h)
+    Rows<Scalar> floor;  // m of d that a flow leaves alone: the snow below a weak layer (world/weather.h)
 };
 
 template <class Scalar>

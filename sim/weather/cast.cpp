@@ -12,7 +12,6 @@ namespace sim::weather {
 void cast(const Layers<float>& s, Direction to, double slope, Field<float>& over) {
     const Stream stream(s.grid, to);
     const float fall = static_cast<float>(static_cast<double>(stream.cell) * slope);
-    // `over` holds H of the row until the next one is done.
     const auto height = [&](int x, int y) { return s.bedrock(x, y) + s.depth(x, y); };
     const auto upstream = [&](int x, int y) {
         return x < 0 || y < 0 || x >= s.grid.nx || y >= s.grid.ny ? -1e9f : over(x, y) + height(x, y);

@@ -20,16 +20,16 @@ inline constexpr float kNetStrength = 3000;     // Pa, of what forest or nets ho
 inline constexpr float kPersistentBelow = 600;  // Pa; a weaker surface is hoar or facets
 
 // The index of stability S: strength of the interface over the shear stress of the slab on it. `steep`: squared tangent of
-// the surface; `more`: Pa m of stress that something adds to it.
+// the surface.
 inline float stability_of(const Weather& w, const Things& things, float density, float d, float steep, int x,
-                          int y, float more = 0) {
+                          int y) {
     const float slab = d - w.base(x, y);
     if (slab < kLeastSlab || steep < kLeastTangent * kLeastTangent) return kStable;
     const float shear = density * static_cast<float>(kGravity) * slab * std::sqrt(steep) / (1 + steep);
     // Wet snow: Yamanoi and Endo (2002); p is the share of water in per cent.
     const float percent = std::min(0.15f * w.water(x, y) / slab, 8.f);
     const float strength = std::abs(w.strength(x, y)) * exp(-0.235f * percent);
-    return std::min((strength + kNetStrength * held_share(things, x, y, d)) / (shear + more / slab), kStable);
+    return std::min((strength + kNetStrength * held_share(things, x, y, d)) / shear, kStable);
 }
 
 // Of integers alone, the same on every machine.

@@ -70,7 +70,7 @@ struct Weather {
 
     Calendar calendar;
 
-    // State. One weak interface at each vertex, the one that matters; what lies above it is the slab.
+    // State. One weak interface at each vertex, the one that matters; the slab is above it.
     std::int64_t hours = 0;             // done
     std::vector<WeatherEvent> program;  // in the order in which they were given; a cancelled one ends early
     Field<float> base;                  // B, m of d below the interface, whole quanta, 0 ≤ B

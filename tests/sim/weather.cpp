@@ -124,8 +124,7 @@ TEST(Weather, snows_as_computed_by_hand) {
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
 }
 
-// The first hours of a day are 4 · 0.3 · cos(15° (0.5 − 14)) = 1.11 K colder than its mean, which on 1 December is
-// 3.2 − 6 cos(…) and made 0 here by `warmer`.
+// 1 December has a mean of 3.2 − 6 cos(−44 · 360°/365) = −1.2 degrees, and 12 K more here.
 TEST(Weather, rains_above_two_degrees_and_melts_what_lies) {
     Ground ground = support::plane(4, 50, 0, 1);
     Play play(snowy(ground, days(4)), support::loose_dry_snow());
@@ -155,7 +154,7 @@ TEST(Weather, brings_more_with_height_and_less_to_steep_rock) {
     EXPECT_GT(d(12), 0.4) << "at its foot";
 }
 
-// Of 100 programs; each has rain, wind and warmth.
+// Of 25 programs of eight events: storms, winds and changes of temperature.
 TEST(Weather, keeps_mass_to_the_quantum_whatever_comes) {
     std::uint64_t seed = 1;
     for (int k = 0; k < 25; ++k) {
@@ -186,7 +185,7 @@ TEST(Weather, keeps_mass_to_the_quantum_whatever_comes) {
     }
 }
 
-// A storm without sun from the south, against the same in a mirrored or turned world.
+// A storm under clouds, which no sun reaches, in a world, in its mirrored one and in its turned one.
 TEST(Weather, mirrors_and_turns_with_the_world) {
     const int n = 32;
     const auto height = [](double x, double y) {
