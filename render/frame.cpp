@@ -229,7 +229,7 @@ void Renderer::draw_ground(const FrameInput& input) {
 Frame Renderer::Parts::begin(const FrameInput& input) {
     const int samples = samples_of(quality);
     Frame frame{.input = input,
-                .ground = fields.upload_ground(input.world, input.first_depth),
+                .ground = fields.upload_ground(input.world, input.first_depth, input.undisturbed),
                 .water = water.send(input)};
     frame.block =
         make_frame_block(input, fields.heights(), samples,
@@ -243,7 +243,7 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
         frame.coarse_block = coarse_frame_block(frame.block, target.samples_across(), target.samples_up());
     }
     const bool new_ground = frame.ground.terrain || frame.ground.first_depth;
-    frame.new_world = new_ground || !redrawn.key || !same_surface(redrawn.key->block, frame.block);
+    frame.new_world = new_ground || frame.ground.undisturbed || !redrawn.key || !same_surface(redrawn.key->block, frame.block);
     structures.build(input, frame.block, frame.ground.terrain, frame.ground.moved);
     bool new_trees = false;
     if (input.may_have_trees()) {
@@ -261,7 +261,7 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
 void Renderer::Parts::upload(const Frame& frame) {
     const FrameInput& input = frame.input;
     WhatChanged& changed = redrawn.world;
-    changed.compare(input.world, fields.find_mixture(input.world), input.first_depth,
+    changed.compare(input.world, fields.find_mixture(input.world), input.untouched(),
                     input.surrounded() ? std::nullopt : std::optional(frame.block.ground.y), rules,
                     frame.new_world, {frame.ground.moved, SurfacePass::openness_reach(input.world.grid)},
                     frame.water);
@@ -278,7 +278,7 @@ void Renderer::Parts::remesh(const Frame& frame) {
     const FrameInput& input = frame.input;
     if (input.flows()) {
         flow.cut(*input.flow, input.world.grid);
-        triangles.find(input.world, input.first_depth, flow.coordinates().vertices(), input.look);
+        triangles.find(input.world, input.untouched(), flow.coordinates().vertices(), input.look);
         flow.find_changes(triangles, redrawn.world);
     }
     clock.mark(Pass::kRemesh);

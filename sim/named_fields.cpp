@@ -23,6 +23,7 @@ std::vector<NamedField> fields_of(const State& s) {
         fields.push_back({"weather.strength", &s.weather->strength});
         fields.push_back({"weather.water", &s.weather->water});
         fields.push_back({"weather.surface", &s.weather->surface});
+        fields.push_back({"weather.undisturbed", &s.weather->undisturbed});
     }
     return fields;
 }

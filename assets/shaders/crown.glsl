@@ -1,5 +1,5 @@
 // The crown of a slab, and its flanks.
-layout(binding = SLOT_FIRST_DEPTH) uniform sampler2D first_depth;
+layout(binding = SLOT_UNDISTURBED) uniform sampler2D undisturbed;
 
 // −1 to 1, of a square of the ground `size` m wide, turned out of the grid.
 float of_block(vec2 at, float size) {
@@ -33,7 +33,7 @@ Crown crown_at(inout Smooth layer, Place p, Detail d) {
     layer.along_x.x *= 1.0 - c.near;
     layer.along_y.x *= 1.0 - c.near;
 
-    c.height_m = min(texture(first_depth, here + c.up / size).r, 3.0);
+    c.height_m = min(texture(undisturbed, here + c.up / size).r, 3.0);
     // In plan half as wide again as high, so that it is seen from above too, and never narrower than a pixel: farther
     // away it is fainter instead.
     float wide = max(1.5 * c.height_m, p.footprint);

@@ -24,7 +24,7 @@
 #define SLOT_PAINT 16     // SRGB8: its colours; for a stochastic one a row, one per height
 #define SLOT_SKIN_ALBEDO 17 // RGBA16F: colour of the flow, per sample; alpha 0: none
 #define SLOT_SKIN_RELIEF 18 // RGBA16F: slopes that it adds, sky share of its hollows, amount of deposit (half at the visible depth)
-#define SLOT_FIRST_DEPTH 19 // R32F: d at tick 0, m
+#define SLOT_UNDISTURBED 19 // R32F: d where nothing slid, m
 #define SLOT_SKY 20 // RGBA16F: the sky at a quarter of the resolution; a: what thin cloud leaves of lights behind it
 #define SLOT_SURROUNDINGS 21 // R32F: rough heights around the block, m above datum
 #define SLOT_PICTURE 22   // RGBA8: the frame as the screen shows it, not linear

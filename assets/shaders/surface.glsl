@@ -1,7 +1,7 @@
 // The surface at a vertex: its height and slope, and what shares of the layers are drawn there.
 layout(binding = SLOT_BEDROCK) uniform sampler2D bedrock;
 layout(binding = SLOT_DEPTH) uniform sampler2D depth;
-layout(binding = SLOT_FIRST_DEPTH) uniform sampler2D first_depth;
+layout(binding = SLOT_UNDISTURBED) uniform sampler2D undisturbed;
 layout(binding = SLOT_ROLLING) uniform sampler2D rolling;
 layout(binding = SLOT_SITE) uniform usampler2D site;
 
@@ -30,6 +30,6 @@ vec4 layers_at(ivec2 v, vec2 rise, float speed) {
     float d = texelFetch(depth, v, 0).r, r = texelFetch(rolling, v, 0).r;
     vec2 share = vec2(cover_share(d, rise), min(0.5 * r / frame.rolling.w, 1.0));
     // No data counts as unchanged. Any other value would be interpolated into the ground beside it.
-    float change = frame.material.w > 0.0 && is_ground(v) ? (d - texelFetch(first_depth, v, 0).r) / MOST_CHANGE : 0.0;
+    float change = frame.material.w > 0.0 && is_ground(v) ? (d - texelFetch(undisturbed, v, 0).r) / MOST_CHANGE : 0.0;
     return vec4(share, speed / (speed + kHalfSpeed), (128.0 + 127.0 * clamp(change, -1.0, 1.0)) / 255.0);
 }

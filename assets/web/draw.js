@@ -137,8 +137,8 @@ class Picture {
             depth: field('SLOT_DEPTH', gl.R32F, gl.NEAREST), rolling: field('SLOT_ROLLING', gl.R32F, gl.NEAREST),
             speed: field('SLOT_VELOCITY_X', gl.R32F, gl.NEAREST),
             // 32-bit floats for heights, 16-bit ones for what is filtered: not every device can filter the former.
-            firstDepth: field('SLOT_FIRST_DEPTH', gl.R32F, gl.NEAREST, this.firstDepth),
-            firstDepthFiltered: field('SLOT_FIRST_DEPTH', gl.R16F, gl.LINEAR, this.firstDepth),
+            firstDepth: field('SLOT_UNDISTURBED', gl.R32F, gl.NEAREST, this.firstDepth),
+            firstDepthFiltered: field('SLOT_UNDISTURBED', gl.R16F, gl.LINEAR, this.firstDepth),
             openness: field('SLOT_OPENNESS', gl.R16F, gl.NEAREST),
             relief: field('SLOT_RELIEF', gl.RGBA32F, gl.NEAREST), filtered: field('SLOT_RELIEF', gl.RGBA16F, gl.LINEAR),
             layers: field('SLOT_LAYERS', gl.RGBA8, gl.LINEAR), measure: field('SLOT_MEASURE', gl.RG16F, gl.LINEAR),
@@ -330,11 +330,11 @@ class Picture {
             if (fields.mixture) gpu.upload(slots.SLOT_MIXTURE, fields.mixture, nx, ny, this.mixture());
             gpu.bind(slots.SLOT_RELIEF, null);
             gpu.bind(slots.SLOT_LAYERS, null);
-            gpu.bind(slots.SLOT_FIRST_DEPTH, fields.firstDepth);
+            gpu.bind(slots.SLOT_UNDISTURBED, fields.firstDepth);
             gpu.into(this.surface, nx, ny);
             gpu.fill(this.programs.surface);
             gpu.bind(slots.SLOT_LAYERS, fields.layers);
-            gpu.bind(slots.SLOT_FIRST_DEPTH, fields.firstDepthFiltered);
+            gpu.bind(slots.SLOT_UNDISTURBED, fields.firstDepthFiltered);
             this.tiles.findBlocks();
         }
         if (slide.extent && slide.extent !== this.sentExtent)

@@ -51,6 +51,7 @@ struct Gallery::Parts {
         return {.world = session.view(),
                 .camera = from,
                 .flow = session.fronts(),
+                .undisturbed = session.undisturbed(),
                 .surroundings = &backdrop.mountains,
                 .land = &backdrop.land,
                 .powder = session.powder(),

@@ -17,7 +17,7 @@ const render::FlowMesh* LivePicture::flow(const LiveWorld& world) {
     const Scenario& scenario = world.sandbox().scenario();
     const Session& session = world.sandbox().session();
     if (!session.fronts()) return nullptr;
-    flow_.make(*session.fronts(), session.view(), scenario.depth, scenario.look);
+    flow_.make(*session.fronts(), session.view(), session.undisturbed(), scenario.look);
     return &flow_;
 }
 

@@ -50,7 +50,7 @@ std::size_t bytes_of(const Session::Checkpoint& moment) {
                               w.things->list);
     if (w.weather)
         bytes += bytes_of_all(w.weather->base, w.weather->strength, w.weather->water, w.weather->surface,
-                              w.weather->program);
+                              w.weather->undisturbed, w.weather->program);
     if (const auto& t = moment.textures)
         bytes += bytes_of_all(t->offset, t->mix, t->deformation, t->moving, t->beside, t->gradient);
     return bytes;

@@ -33,6 +33,8 @@ Session::Session(const Scenario& scenario, const sim::StepOptions& options)
       peaks_(state_, densities_),
       structures_(view()) {
     line_.before.reserve(kTicksPerState);
+    undisturbed_.resize(state_.grid.size());
+    find_undisturbed();
     if (scenario.goal) try_.emplace(*scenario.goal, state_);
     find_hash();
     peaks_.see(state_);
@@ -51,6 +53,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
     const bool records = recorder_ && state_.tick >= recorded_until_;
     // In the first tick, ground may be too steep to stand; later only after a command.
     const bool rests = state_.tick > 0 && commands.empty() && sim::at_rest(state_);
+    const bool is_hour = commands.empty() && sim::is_calm(state_);
     auto begun = std::chrono::steady_clock::now();
     const auto record = [&]() -> Outcome<void> {
         if (records)
@@ -71,6 +74,7 @@ Outcome<void> Session::advance(std::span<const sim::Command> commands) {
         find_hash();
     }
     if (!rests) changed_at_ = state_.tick;
+    if (is_hour) find_undisturbed();
     // At rest the fronts do not change. A flow demo never rests.
     if ((fronts_ && !rests) || stage_) advance_fronts();
     std::int64_t error = state_.ledger.mass_error();
@@ -153,6 +157,7 @@ Outcome<void> Session::go_to(const Checkpoint& moment) {
 
 void Session::put(const Checkpoint& moment) {
     sim::restore(moment.world, state_);
+    if (state_.weather) find_undisturbed();
     if (fronts_ && moment.textures) fronts_->restore(view(), *moment.textures, engine_->workers);
     if (fronts_ && !moment.textures) fronts_->begin_anew(view(), engine_->workers);
     if (powder_) powder_->restore(moment.powder);
@@ -186,6 +191,13 @@ std::uint64_t Session::hash_now() {
     return line_.hash;
 }
 
+void Session::find_undisturbed() {
+    const sim::Field<float>& from = state_.weather ? state_.weather->undisturbed : state_.depth;
+    for (int y = 0; y < state_.grid.ny; ++y)
+        std::copy_n(from.row(y), state_.grid.nx,
+                    undisturbed_.begin() + std::ptrdiff_t{y} * std::ptrdiff_t{state_.grid.nx});
+}
+
 void Session::find_hash() {
     times_.hash_ms = ms_of([&] {
         line_.tick = state_.tick;
@@ -206,7 +218,7 @@ void Session::follow_fronts(const Scenario& scenario, std::size_t most_vertices)
                                                           scenario.flow->numbers);
     else if (scenario.look.flow)
         fronts_ = std::make_unique<WorldFronts>(state_.grid, scenario.look.rolling_visible_m, kTextures,
-                                                scenario.depth);
+                                                undisturbed_);
     else
         return;
     advance_fronts();

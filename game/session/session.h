@@ -136,6 +136,9 @@ class Session {
     // Writes what the try that ended in this tick scores, if this tick is being recorded for the first time. Errors:
     // the recording cannot be written.
     Outcome<void> claim(const ClaimLine& line);
+    // Depth of the standing layer without what slid, m, one value per vertex, row 0 the south: that of tick 0, with what weather
+    // has done since.
+    std::span<const float> undisturbed() const { return undisturbed_; }
     std::size_t active_cells() const { return peaks_.active_cells(); }
     // As PeakWatch::energy().
     std::int64_t energy() const { return peaks_.energy(); }
@@ -150,6 +153,7 @@ class Session {
     void put(const Checkpoint& moment);
     bool lacks_state() const;
     Outcome<void> write_state();
+    void find_undisturbed();
     void watch_structures() { structures_.watch(view()); }
     void advance_fronts();
     void advance_powder(std::span<const sim::Command> commands, bool rests);
@@ -161,6 +165,7 @@ class Session {
     std::unique_ptr<WorldFronts> fronts_;
     std::optional<sim::powder::Cloud> powder_;
     std::optional<sim::carried::Carried> carried_;
+    std::vector<float> undisturbed_;  // where fronts_ look for it, too
     std::optional<Densities> densities_;
     PeakWatch peaks_;
     StructureWatch structures_;

@@ -18,15 +18,15 @@ sim::front::Rule level_rule(float level) {
 }  // namespace
 
 WorldFronts::WorldFronts(const sim::Grid& grid, float visible, const sim::front::LayerRule& layers,
-                         std::vector<float> first_depth)
+                         std::span<const float> undisturbed)
     : visible_(visible),
       rule_(layers),
       mesh_(sim::front::mesh_of(grid)),
       velocity_(grid.size()),
       rolling_(grid.size()),
-      first_depth_(std::move(first_depth)),
-      rise_(first_depth_.size()) {
-    CHECK(first_depth_.empty() || first_depth_.size() == grid.size());
+      undisturbed_(undisturbed),
+      rise_(undisturbed_.size()) {
+    CHECK(undisturbed_.empty() || undisturbed_.size() == grid.size());
     begin();
 }
 
@@ -68,9 +68,9 @@ void WorldFronts::read(const sim::View& world, sim::Workers& workers) {
             }
             if (rise_.empty()) continue;
             const float *depth = world.depth.row(y),
-                        *first_depth = first_depth_.data() + static_cast<std::size_t>(y) * columns;
+                        *undisturbed = undisturbed_.data() + static_cast<std::size_t>(y) * columns;
             float* rise = rise_.data() + static_cast<std::size_t>(y) * columns;
-            for (std::size_t x = 0; x < columns; ++x) rise[x] = depth[x] - first_depth[x];
+            for (std::size_t x = 0; x < columns; ++x) rise[x] = depth[x] - undisturbed[x];
         }
     });
 }

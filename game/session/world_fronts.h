@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/front/flow_view.h"
@@ -14,10 +15,10 @@ class WorldFronts {
     // Slower vertices count as at rest, m/s: their texture does not move.
     static constexpr float kLeastSpeed = 0.3f;
 
-    // `visible`: least visible depth of the rolling layer, m, > 0. `first_depth`: initial standing depth, m,
+    // `visible`: least visible depth of the rolling layer, m, > 0. `undisturbed`: standing depth without what slid, m,
     // grid.size() values; if empty, deposits are unknown.
     WorldFronts(const sim::Grid& grid, float visible, const sim::front::LayerRule& layers,
-                std::vector<float> first_depth = {});
+                std::span<const float> undisturbed = {});
     WorldFronts(const WorldFronts&) = delete;  // members refer to mesh_
     WorldFronts& operator=(const WorldFronts&) = delete;
 
@@ -49,7 +50,8 @@ class WorldFronts {
     std::optional<sim::front::FlowView> view_;
     std::vector<glm::vec2> velocity_;        // m/s; 0 where no motion is visible
     std::vector<float> rolling_;             // m
-    std::vector<float> first_depth_, rise_;  // m; empty: unknown
+    std::span<const float> undisturbed_;     // m; empty: unknown
+    std::vector<float> rise_;                // m; of d above it
 };
 
 }  // namespace game

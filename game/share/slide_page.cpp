@@ -601,7 +601,8 @@ Outcome<SlidePage> SlidePage::begin(const Scenario& scenario, const Session& ses
                              .look = scenario.look,
                              .width = kWidth,
                              .height = kHeight,
-                             .first_depth = scenario.depth};
+                             .first_depth = scenario.depth,
+                             .undisturbed = session.undisturbed()};
     parts->frame = render::make_frame_block(input, render::height_range(world), 1, std::nullopt);
     parts->keep_state(session);
     auto given = parts->give(session, [p = parts.get()](const Moment& moment) -> Outcome<void> {

@@ -14,19 +14,19 @@ using sim::front::TextureLayers;
 
 }  // namespace
 
-void FlowMesh::make(const FlowView& flow, const sim::View& world, std::span<const float> first_depth,
+void FlowMesh::make(const FlowView& flow, const sim::View& world, std::span<const float> undisturbed,
                     const Look& look) {
     const sim::front::Mesh& mesh = flow.mesh();
     CHECK(mesh.columns == world.grid.nx && mesh.position.size() == world.grid.size());
     changes_.find(flow);
-    triangles_.find(world, first_depth, changes_.vertices(), look);
+    triangles_.find(world, undisturbed, changes_.vertices(), look);
     place_.assign(mesh.position.size(), -1);
     vertices_.clear();
     indices_.clear();
     const auto is_seen = [&](const CutVertex& vertex) {
         return look.flow->everywhere || triangles_.seen()[static_cast<std::size_t>(vertex.side)] != 0;
     };
-    const Moment moment{flow, world, first_depth};
+    const Moment moment{flow, world, undisturbed};
     for (const TriangleRun& run : triangles_.runs())
         for (int triangle = run.first; triangle < run.last; ++triangle)
             for (const CutTriangle& piece : cut_triangle(flow.tracker(), triangle))
@@ -59,10 +59,10 @@ std::uint32_t FlowMesh::place_of(const CutVertex& vertex, const Moment& moment) 
 
 // As much of it as flow.vert sees.
 float FlowMesh::rise(int vertex, const Moment& moment) {
-    if (moment.first_depth.empty()) return 0;
+    if (moment.undisturbed.empty()) return 0;
     const int nx = moment.world.grid.nx;
     const float rise =
-        moment.world.depth(vertex % nx, vertex / nx) - moment.first_depth[static_cast<std::size_t>(vertex)];
+        moment.world.depth(vertex % nx, vertex / nx) - moment.undisturbed[static_cast<std::size_t>(vertex)];
     return rise > FlowTriangles::kLeastRise ? rise : 0;
 }
 

@@ -27,7 +27,7 @@ struct FlowMeshVertex {
 class FlowMesh {
   public:
     // As FlowTriangles::find(). `flow` is of the same moment as `world`, and its mesh the heightfield of its grid.
-    void make(const sim::front::FlowView& flow, const sim::View& world, std::span<const float> first_depth,
+    void make(const sim::front::FlowView& flow, const sim::View& world, std::span<const float> undisturbed,
               const Look& look);
 
     std::span<const FlowMeshVertex> vertices() const { return vertices_; }
@@ -39,7 +39,7 @@ class FlowMesh {
     struct Moment {
         const sim::front::FlowView& flow;
         const sim::View& world;
-        std::span<const float> first_depth;
+        std::span<const float> undisturbed;
     };
     std::uint32_t place_of(const sim::front::CutVertex& vertex, const Moment& moment);
     static float rise(int vertex, const Moment& moment);  // of the standing layer, m

@@ -12,11 +12,11 @@ constexpr int kLongestGap = 64;          // triangles
 
 }  // namespace
 
-void FlowTriangles::find(const sim::View& world, std::span<const float> first_depth,
+void FlowTriangles::find(const sim::View& world, std::span<const float> undisturbed,
                          std::span<const FlowVertex> vertices, const Look& look) {
     const sim::Grid& grid = world.grid;
     CHECK(look.flow && vertices.size() == grid.size());
-    CHECK(first_depth.empty() || first_depth.size() == grid.size());
+    CHECK(undisturbed.empty() || undisturbed.size() == grid.size());
     const auto squares = static_cast<std::size_t>(grid.nx - 1) * static_cast<std::size_t>(grid.ny - 1);
     constexpr std::uint8_t kBoth = kLowerRight | kUpperLeft;
     if (grid_ != grid) {
@@ -32,7 +32,7 @@ void FlowTriangles::find(const sim::View& world, std::span<const float> first_de
         runs_ = {TriangleRun{0, 2 * static_cast<int>(squares)}};
         return;
     }
-    for (int y = 0; y < grid.ny; ++y) mark_row(world, first_depth, vertices, look.rolling_visible_m, y);
+    for (int y = 0; y < grid.ny; ++y) mark_row(world, undisturbed, vertices, look.rolling_visible_m, y);
     for (int y = 0; y + 1 < grid.ny; ++y) {
         const std::uint8_t* low =
             seen_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.nx);
@@ -49,7 +49,7 @@ void FlowTriangles::find(const sim::View& world, std::span<const float> first_de
 }
 
 // Marks the vertices of a row that may be seen.
-void FlowTriangles::mark_row(const sim::View& world, std::span<const float> first_depth,
+void FlowTriangles::mark_row(const sim::View& world, std::span<const float> undisturbed,
                              std::span<const FlowVertex> vertices, float visible, int y) {
     const int nx = world.grid.nx;
     const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx);
@@ -58,8 +58,8 @@ void FlowTriangles::mark_row(const sim::View& world, std::span<const float> firs
     const FlowVertex* vertex = vertices.data() + first;
     for (int x = 0; x < nx; ++x)
         seen[x] = static_cast<std::uint8_t>((rolling[x] > visible) | (vertex[x].deposit > kLeastDeposit));
-    if (first_depth.empty()) return;
-    const float* before = first_depth.data() + first;
+    if (undisturbed.empty()) return;
+    const float* before = undisturbed.data() + first;
     for (int x = 0; x < nx; ++x) seen[x] |= static_cast<std::uint8_t>(depth[x] - before[x] > kLeastRise);
 }
 

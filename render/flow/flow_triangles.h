@@ -23,8 +23,8 @@ class FlowTriangles {
     // Bits of a square.
     static constexpr std::uint8_t kLowerRight = 1, kUpperLeft = 2;
 
-    // `first_depth`: as in FrameInput. `vertices`: one per vertex of the world's grid. look.flow is set.
-    void find(const sim::View& world, std::span<const float> first_depth,
+    // `undisturbed`: as in FrameInput. `vertices`: one per vertex of the world's grid. look.flow is set.
+    void find(const sim::View& world, std::span<const float> undisturbed,
               std::span<const FlowVertex> vertices, const Look& look);
 
     // 1 or 0 of each vertex: whether the flow may be seen there. Unless the look has it everywhere.
@@ -41,7 +41,7 @@ class FlowTriangles {
     static void append(std::vector<TriangleRun>& runs, const TriangleRun& more);
 
   private:
-    void mark_row(const sim::View& world, std::span<const float> first_depth,
+    void mark_row(const sim::View& world, std::span<const float> undisturbed,
                   std::span<const FlowVertex> vertices, float visible, int y);
     void find_runs();
 

@@ -50,6 +50,8 @@ struct FrameInput {
     // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
     // It tells deposits and scars from untouched ground. If empty, they are unknown.
     std::span<const float> first_depth = {};
+    // The same without what slid, where weather has changed that depth since. If empty, it is the first depth.
+    std::span<const float> undisturbed = {};
     // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
     const Surroundings* surroundings = nullptr;
     // Of these surroundings, drawn if look has a date. If null or empty, the ground is dry and without brooks.
@@ -79,6 +81,7 @@ struct FrameInput {
 
     // Which parts it has.
     GroundKind ground_kind() const { return {look.date.has_value(), world.mixture != nullptr}; }
+    std::span<const float> untouched() const { return undisturbed.empty() ? first_depth : undisturbed; }
     bool flows() const { return look.flow && flow; }
     bool surrounded() const { return surroundings && !surroundings->empty(); }
     bool has_land() const { return look.date && surrounded() && land && !land->empty(); }

@@ -70,14 +70,13 @@ void SlideTiles::find(const FrameInput& input, const OnScreen& screen, bool by_k
 // Returns whether there is any slide.
 bool SlideTiles::find_blocks(const FrameInput& input) {
     const sim::View& world = input.world;
-    const bool is_known = !input.first_depth.empty();
+    const std::span<const float> untouched = input.untouched();
+    const bool is_known = !untouched.empty();
     bool any = false;
     for (int y = 0; y < grid_.ny; ++y) {
         const float *rolling = world.rolling.row(y), *depth = world.depth.row(y);
         const float* first =
-            input.first_depth.empty()
-                ? depth
-                : &input.first_depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.nx)];
+            is_known ? &untouched[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.nx)] : depth;
         for (int x = 0; x < grid_.nx; ++x) {
             if (rolling[x] == 0 && depth[x] == first[x]) continue;
             any = true;

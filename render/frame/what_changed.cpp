@@ -49,14 +49,14 @@ int groups_along(int vertices) {
 }  // namespace
 
 void WhatChanged::compare(const sim::View& world, std::span<const std::uint8_t> mixture,
-                          std::span<const float> first_depth, std::optional<float> walls_to,
+                          std::span<const float> undisturbed, std::optional<float> walls_to,
                           const RedrawRules& rules, bool everything, const ChangedGround& ground,
                           std::span<const glm::ivec2> water) {
     rules_ = rules;
     everything |= grid_ != world.grid || mixture_.size() != mixture.size();
     if (grid_ != world.grid) resize(world);
     everything_ = everything;
-    first_depth_ = first_depth;
+    undisturbed_ = undisturbed;
     walls_to_ = walls_to;
     far_reach_ =
         mixture.empty() ? 0 : 2 + static_cast<int>(std::ceil(kFarthest * std::max(grid_.nx, grid_.ny)));
@@ -167,7 +167,7 @@ void WhatChanged::compare_mixture(std::span<const std::uint8_t> mixture) {
 }
 
 bool WhatChanged::is_untouched(int x, int y, float depth) const {
-    return first_depth_.empty() || std::abs(depth - first_depth_[index(x, y)]) < kUntouched;
+    return undisturbed_.empty() || std::abs(depth - undisturbed_[index(x, y)]) < kUntouched;
 }
 
 bool WhatChanged::is_untouched_near(int x, int y) const {

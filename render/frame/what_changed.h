@@ -52,7 +52,7 @@ class WhatChanged {
     // are seen, down to this height, m. `everything`: as if all differed. `water`: vertices
     // where the overlay of water has changed. Allocates nothing while grid and bedrock stay.
     void compare(const sim::View& world, std::span<const std::uint8_t> mixture,
-                 std::span<const float> first_depth, std::optional<float> walls_to, const RedrawRules& rules,
+                 std::span<const float> undisturbed, std::optional<float> walls_to, const RedrawRules& rules,
                  bool everything, const ChangedGround& ground = {}, std::span<const glm::ivec2> water = {});
     // Adds what changed besides: vertices of a flow, shadows, a ring or an outline that is drawn elsewhere than in
     // the last frame.
@@ -120,7 +120,7 @@ class WhatChanged {
     std::vector<std::int32_t> groups_;
     std::vector<std::uint8_t> walled_;  // per vertex: a wall stands there, if walls are seen
     std::optional<float> walls_to_;
-    std::span<const float> first_depth_;
+    std::span<const float> undisturbed_;
     int far_reach_ = 0;  // of a world of two materials, where nothing has slid
     int first_row_ = 0, last_row_ = -1;
     int left_ = 0, right_ = -1, bottom_ = 0, top_ = -1;  // squares that are marked lie between

@@ -25,9 +25,19 @@ void send(const Texture& texture, const sim::Field<T>& field, int first_row, int
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
+// Returns whether they were others.
+bool remember_if_new(std::span<const float> values, std::vector<float>& known) {
+    if (known.size() == values.size() &&
+        (values.empty() || std::memcmp(known.data(), values.data(), values.size_bytes()) == 0))
+        return false;
+    known.assign(values.begin(), values.end());
+    return true;
+}
+
 }  // namespace
 
-FieldsToGpu::Ground FieldsToGpu::upload_ground(const sim::View& world, std::span<const float> first_depth) {
+FieldsToGpu::Ground FieldsToGpu::upload_ground(const sim::View& world, std::span<const float> first_depth,
+                                               std::span<const float> undisturbed) {
     Ground changed;
     moved_.clear();
     // Only where there are things does bedrock change while a world runs.
@@ -44,7 +54,8 @@ FieldsToGpu::Ground FieldsToGpu::upload_ground(const sim::View& world, std::span
         send(site_texture_, world.site, 0, grid_.ny - 1, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
     }
     changed.moved = moved_;
-    changed.first_depth = send_first_depth(first_depth);
+    changed.first_depth = remember_if_new(first_depth, first_depth_);
+    changed.undisturbed = send_undisturbed(undisturbed.empty() ? first_depth : undisturbed);
     return changed;
 }
 
@@ -71,16 +82,12 @@ void FieldsToGpu::send_moved(const sim::View& world) {
     heights_ = height_range(world);
 }
 
-bool FieldsToGpu::send_first_depth(std::span<const float> first_depth) {
-    CHECK(first_depth.empty() || first_depth.size() == grid_.size());
-    if (first_depth_.size() == first_depth.size() &&
-        (first_depth.empty() ||
-         std::memcmp(first_depth_.data(), first_depth.data(), first_depth.size_bytes()) == 0))
-        return false;
-    first_depth_.assign(first_depth.begin(), first_depth.end());
-    if (!first_depth.empty())
-        glTextureSubImage2D(first_depth_texture_.name(), 0, 0, 0, grid_.nx, grid_.ny, GL_RED, GL_FLOAT,
-                            first_depth_.data());
+bool FieldsToGpu::send_undisturbed(std::span<const float> undisturbed) {
+    CHECK(undisturbed.empty() || undisturbed.size() == grid_.size());
+    if (!remember_if_new(undisturbed, undisturbed_)) return false;
+    if (!undisturbed.empty())
+        glTextureSubImage2D(undisturbed_texture_.name(), 0, 0, 0, grid_.nx, grid_.ny, GL_RED, GL_FLOAT,
+                            undisturbed_.data());
     return true;
 }
 
@@ -111,7 +118,7 @@ void FieldsToGpu::bind() const {
     glBindTextureUnit(SLOT_VELOCITY_Y, velocity_y_texture_.name());
     glBindTextureUnit(SLOT_SITE, site_texture_.name());
     glBindTextureUnit(SLOT_MIXTURE, mixture_texture_.name());
-    glBindTextureUnit(SLOT_FIRST_DEPTH, first_depth_texture_.name());
+    glBindTextureUnit(SLOT_UNDISTURBED, undisturbed_texture_.name());
     glBindTextureUnit(SLOT_EARTH, earth_texture_.name());
 }
 
@@ -123,10 +130,11 @@ void FieldsToGpu::allocate(const sim::Grid& grid) {
     for (Texture* texture :
          {&bedrock_texture_, &depth_texture_, &rolling_texture_, &velocity_x_texture_, &velocity_y_texture_})
         *texture = make_texture(GL_R32F, grid.nx, grid.ny, GL_NEAREST);
-    first_depth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
-    glClearTexImage(first_depth_texture_.name(), 0, GL_RED, GL_FLOAT,
+    undisturbed_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
+    glClearTexImage(undisturbed_texture_.name(), 0, GL_RED, GL_FLOAT,
                     nullptr);  // read also while it is unknown
     first_depth_.clear();
+    undisturbed_.clear();
     earth_texture_ = make_texture(GL_R32F, grid.nx, grid.ny, GL_LINEAR);
     earth_ = {};
     site_texture_ = make_texture(GL_R8UI, grid.nx, grid.ny, GL_NEAREST);

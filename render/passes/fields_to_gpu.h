@@ -22,10 +22,11 @@ class FieldsToGpu {
         // Vertices whose bedrock or earth differs, if the terrain is still the same: of sculpted ground and of
         // buildings. Valid until the next call.
         std::span<const glm::ivec2> moved;
-        bool first_depth = false;  // also if it was known and is not any more
+        bool first_depth = false, undisturbed = false;  // also if it was known and is not any more
     };
-    // `first_depth`: as in FrameInput.
-    Ground upload_ground(const sim::View& world, std::span<const float> first_depth);
+    // `first_depth`, `undisturbed`: as in FrameInput; the latter is what shaders read.
+    Ground upload_ground(const sim::View& world, std::span<const float> first_depth,
+                         std::span<const float> undisturbed);
     // Computes the mixture as it is drawn: two shares per vertex, 0 to 255; none in a world of one material. Valid until
     // the next call.
     std::span<const std::uint8_t> find_mixture(const sim::View& world);
@@ -41,7 +42,7 @@ class FieldsToGpu {
     void send_earth(int first_row, int last_row) const;
     void allocate(const sim::Grid& grid);
     void remember(const sim::View& world);
-    bool send_first_depth(std::span<const float> first_depth);
+    bool send_undisturbed(std::span<const float> undisturbed);
 
     sim::Grid grid_;
     sim::Field<float> bedrock_;  // as uploaded last
@@ -50,8 +51,8 @@ class FieldsToGpu {
     std::vector<glm::ivec2> moved_;
     HeightRange heights_;
     Texture bedrock_texture_, depth_texture_, rolling_texture_, velocity_x_texture_, velocity_y_texture_,
-        site_texture_, mixture_texture_, first_depth_texture_, earth_texture_;
-    std::vector<float> first_depth_;  // as uploaded last
+        site_texture_, mixture_texture_, undisturbed_texture_, earth_texture_;
+    std::vector<float> first_depth_, undisturbed_;  // as given last
     std::vector<std::uint8_t> mixture_;
 };
 

@@ -13,7 +13,7 @@
 
 namespace render {
 
-// Computes the draw data from the fields. Reads the fields and SLOT_FIRST_DEPTH. Writes SLOT_RELIEF,
+// Computes the draw data from the fields. Reads the fields and SLOT_UNDISTURBED. Writes SLOT_RELIEF,
 // SLOT_LAYERS and SLOT_MEASURE for every frame, SLOT_OPENNESS where bedrock has changed.
 class SurfacePass {
   public:

@@ -73,7 +73,7 @@ class Drift {
         if (carries > carried) {
             const auto wants = static_cast<std::int32_t>(static_cast<float>(carries - carried) * takes_);
             const std::int32_t taken = std::min(wants, loose);
-            d -= static_cast<float>(taken) * kQuantum;
+            change_depth(d, w_.undisturbed(x, y), -static_cast<float>(taken) * kQuantum);
             carried += taken;
         } else if (carried > 0) {
             const auto wants = static_cast<std::int32_t>(static_cast<float>(carried - carries) * gives_);
@@ -82,7 +82,7 @@ class Drift {
                 const float along_x = work_.gradient_x(x, y), along_y = work_.gradient_y(x, y);
                 burial_(w_, d, along_x * along_x + along_y * along_y, x, y);
             }
-            d += given;
+            change_depth(d, w_.undisturbed(x, y), given);
             carried -= static_cast<std::int32_t>(given / kQuantum);
         }
         aside = aside_of(carried);

@@ -79,7 +79,7 @@ class Passing {
         const float rained = d > 0 ? rain : 0;
         const float gained =
             std::min(in_quanta((snow + rained) * hour_.metres_per_mm, hour_.dither), room_in(d));
-        d += gained;
+        change_depth(d, w_.undisturbed(x, y), gained);
         fallen += static_cast<std::int64_t>(gained / kQuantum);
         if (d == 0) return;
         wet(x, y, rained, air, sun);
@@ -126,7 +126,7 @@ class Passing {
         if (water > holds) {
             const float runs =
                 std::min(std::floor((water - holds) * hour_.metres_per_mm / kQuantum) * kQuantum, d);
-            d -= runs;
+            change_depth(d, w_.undisturbed(x, y), -runs);
             melted += static_cast<std::int64_t>(runs / kQuantum);
             base = std::min(base, d);
             water = d > 0 ? water - runs * density : 0;

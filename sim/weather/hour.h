@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace sim {
 class Workers;
 struct State;
@@ -28,6 +31,13 @@ inline float wind_near_ground(float high_above, float factor, float height) {
     const float exposed = height <= 0 ? 0 : height >= 800 ? 1 : height / 800;
     const float wind = high_above * (0.5f + 0.5f * exposed) * factor;
     return wind < kStrongestWind ? wind : kStrongestWind;
+}
+
+// d of a vertex changes, m, and what it would be without slides with it. Fresh snow hides twice its depth of a difference.
+inline void change_depth(float& d, float& undisturbed, float change) {
+    const float slid = d - undisturbed, hidden = 2 * std::max(change, 0.f);
+    d += change;
+    undisturbed = std::max(d - std::copysign(std::max(std::abs(slid) - hidden, 0.f), slid), 0.f);
 }
 
 }  // namespace sim::weather

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "sim/core/chance.h"
 #include "sim/simd/exponential.h"
 #include "sim/world/params.h"
 #include "sim/world/state.h"
@@ -32,11 +33,9 @@ inline float stability_of(const Weather& w, const Things& things, float density,
     return std::min((strength + kNetStrength * held_share(things, x, y, d)) / shear, kStable);
 }
 
-// Of integers alone, the same on every machine.
+// From 0 to 1, another for each place and key.
 inline float chance_at(std::uint32_t x, std::uint32_t y, std::uint32_t key) {
-    std::uint32_t h = x * 374761393u + y * 668265263u + key * 2246822519u;
-    h = (h ^ (h >> 13)) * 1274126177u;
-    return static_cast<float>((h ^ (h >> 16)) >> 8) * (1.f / 16777216.f);
+    return share_of(mixed(std::uint64_t{key} << 32 | y << 16 | x));
 }
 
 // How strong an interface is, of what it would be everywhere: 0.7 to 1.3, smooth over 60 m and rough from vertex to vertex.

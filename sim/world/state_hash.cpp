@@ -40,7 +40,7 @@ struct Blocks {
 // The vertices of a block, field after field.
 std::uint64_t block_hash(const Blocks& blocks, std::size_t block,
                          std::initializer_list<const Field<float>*> fields) {
-    constexpr int kMostFields = 8;
+    constexpr int kMostFields = 9;
     CHECK(fields.size() <= kMostFields);
     float values[kMostFields * kBlockWidth * kBlockHeight];
     const auto columns = static_cast<std::size_t>(blocks.columns);
@@ -62,7 +62,7 @@ std::uint64_t moving_hash(const State& s, const Blocks& blocks, std::size_t bloc
     if (const auto& w = s.weather)
         return block_hash(blocks, block,
                           {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y, &w->base, &w->strength,
-                           &w->water, &w->surface});
+                           &w->water, &w->surface, &w->undisturbed});
     return block_hash(blocks, block, {&s.depth, &s.rolling, &s.velocity_x, &s.velocity_y});
 }
 

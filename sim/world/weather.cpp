@@ -96,7 +96,7 @@ bool is_of_weather(const Command& c) {
 }
 
 Weather::Weather(const Calendar& its_calendar, const Field<float>& depth)
-    : calendar(its_calendar), base(depth), strength(depth), water(depth), surface(depth) {
+    : calendar(its_calendar), base(depth), strength(depth), water(depth), surface(depth), undisturbed(depth) {
     strength.fill(kOldInterface);
     water.fill(0);
     surface.fill(kBareSurface);

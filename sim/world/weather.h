@@ -78,6 +78,8 @@ struct Weather {
     Field<float> water;     // W, mm of liquid water in the slab, a part of d
     Field<float> surface;   // σ, Pa, what the surface's strength will be once it is buried; negative: hours
                             // since snow came last, negated
+    // m, at least 0: d without what slid, was poured or dug, as far as snow has not hidden it since. Views alone read it.
+    Field<float> undisturbed;
     // Whether d₀, S₀ and the smoothed ground are those of d. Nothing starts of itself then.
     bool anchored = true;
     // Of the slide that runs: the tick of its release, or of the last command; its greatest motion since.

@@ -93,7 +93,7 @@ class FlowPicture : public Gl {
                          .width = kAcross,
                          .height = kUp,
                          .first_depth = first_depth_};
-        if (fields_.upload_ground(world_.view(), first_depth_).terrain) surface_.resize(world_.grid);
+        if (fields_.upload_ground(world_.view(), first_depth_, {}).terrain) surface_.resize(world_.grid);
         changed_.compare(world_.view(), {}, first_depth_, std::nullopt, RedrawRules(), true);
         fields_.upload_layers(world_.view(), 0, kHigh - 1);
         const FrameBlock frame = make_frame_block(input, fields_.heights(), 1, glm::vec3(1));

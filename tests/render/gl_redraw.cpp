@@ -193,6 +193,34 @@ TEST_F(Gl, redraws_ground_that_changes_as_if_it_had_always_been_so) {
     EXPECT_TRUE(alike(renderer_->read_back(), flat));
 }
 
+// Snow that has fallen looks as if it had always lain there; a deposit on it does not.
+TEST_F(Gl, draws_fresh_snow_as_cover_and_not_as_a_deposit) {
+    Play play;
+    renderer_->set_redraw(kTightestRules);
+    std::vector<float> undisturbed;
+    Picture before;
+    for (int hour = 0; hour < 4; ++hour) {
+        const float fell = 0.5f * static_cast<float>(hour);
+        play.world.depth.fill(2 + fell);
+        play.set_tower({20, 20}, {26, 26}, fell + 0.4f);  // brought there
+        undisturbed.assign(play.world.grid.size(), 2 + fell);
+        FrameInput input = play.input();
+        input.undisturbed = undisturbed;
+        renderer_->draw(input);
+        const Picture picture = renderer_->read_back();
+        std::optional<Renderer> fresh;
+        ASSERT_NO_FATAL_FAILURE(support::make_renderer(fresh, Quality::kFast));
+        input.first_depth = undisturbed;
+        fresh->draw(input);
+        EXPECT_TRUE(alike(picture, fresh->read_back())) << hour;
+        input.undisturbed = input.first_depth = play.first_depth;
+        fresh->draw(input);
+        EXPECT_EQ(picture.pixels == fresh->read_back().pixels, hour == 0);
+        EXPECT_NE(picture.pixels, before.pixels) << hour;
+        before = picture;
+    }
+}
+
 void roll(Play& play, int x, int frame) {
     for (int i = 0; i < 3; ++i)
         play.world.rolling(x + i, 32 + (frame + i) % 3) = 0.1f * static_cast<float>(1 + (frame + i) % 4);

@@ -109,7 +109,8 @@ TEST(Weather, belongs_to_the_hash_and_no_hash_changes_without_it) {
     EXPECT_TRUE(changes([](sim::Weather& w) { w.stirred = 7; }));
     EXPECT_TRUE(changes([](sim::Weather& w) { w.greatest_motion = 7; }));
     for (const auto field :
-         {&sim::Weather::base, &sim::Weather::strength, &sim::Weather::water, &sim::Weather::surface})
+         {&sim::Weather::base, &sim::Weather::strength, &sim::Weather::water, &sim::Weather::surface,
+          &sim::Weather::undisturbed})
         EXPECT_TRUE(changes([&](sim::Weather& w) { (w.*field)(3, 4) += 1; }));
 }
 
@@ -122,6 +123,27 @@ TEST(Weather, snows_as_computed_by_hand) {
     EXPECT_EQ(play.state.weather->surface(2, 2), -1) << "it has just snowed";
     EXPECT_EQ(play.state.ledger.fallen, play.state.ledger.standing);
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
+TEST(Weather, tells_what_was_brought_from_what_fell_until_snow_has_hidden_it) {
+    Play play(snowy(support::plane(20, 5, 0), days(4)), support::loose_dry_snow());
+    Command pour = support::pour_at(50, 50, 10, 12000, 0);
+    pour.layer = sim::Layer::kStanding;
+    play.ticks(1, std::vector{storm(1, 6, 12), storm(20, 40, 80), pour});
+    const sim::Weather& w = *play.state.weather;
+    const auto brought = [&] {
+        return static_cast<double>(play.state.depth(10, 10) - w.undisturbed(10, 10));
+    };
+    const double poured = brought();
+    ASSERT_GT(poured, 0.5);
+    pass(play, 10);
+    EXPECT_NEAR(brought(), poured - 2 * 0.06, 0.001);
+    EXPECT_EQ(play.state.depth(0, 0), w.undisturbed(0, 0));
+    pass(play, 40);
+    EXPECT_NEAR(brought(), poured - 2 * (0.06 + 0.2), 0.001);
+    pass(play, 60);
+    EXPECT_EQ(brought(), 0);
+    EXPECT_GT(play.state.depth(10, 10), 1);
 }
 
 // 1 December has a mean of 3.2 − 6 cos(−44 · 360°/365) = −1.2 degrees, and 12 K more here.
