@@ -243,7 +243,8 @@ Frame Renderer::Parts::begin(const FrameInput& input) {
         frame.coarse_block = coarse_frame_block(frame.block, target.samples_across(), target.samples_up());
     }
     const bool new_ground = frame.ground.terrain || frame.ground.first_depth;
-    frame.new_world = new_ground || frame.ground.undisturbed || !redrawn.key || !same_surface(redrawn.key->block, frame.block);
+    frame.new_world = new_ground || frame.ground.undisturbed || !redrawn.key ||
+                      !same_surface(redrawn.key->block, frame.block);
     structures.build(input, frame.block, frame.ground.terrain, frame.ground.moved);
     bool new_trees = false;
     if (input.may_have_trees()) {

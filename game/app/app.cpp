@@ -212,7 +212,7 @@ void App::lead() {
         {.now_s = now_s(),
          .may_play = !tutorial_.shows_opening() && !photo_.is_on() && !sandbox_->watches() &&
                      !sandbox_->scenario().goal && !sandbox_->scenario().flow && !ui_.shows_menu(),
-         .moves = !sim::at_rest(sandbox_->session().state()) && !time_.pace().creeps(),
+         .moves = sim::flows(sandbox_->session().state()) && !time_.pace().creeps(),
          .runs_back = time_.clock().runs_back(),
          .looks_back = sandbox_->looks_back()});
     if (!begun) return;
@@ -418,19 +418,24 @@ bool App::works_in_pause(double tick_s) {
 void App::run_ticks(double elapsed_s, FrameTime& time) {
     TickClock& clock = time_.clock();
     const double tick_s = static_cast<double>(sandbox_->scenario().params.tick_s);
+    const sim::State& state = sandbox_->session().state();
+    // An hour of weather is next, unless the hand acts.
+    const auto is_calm = [&] { return sim::is_calm(state) && !hand_.stroke(); };
     time_.set_pace(now_s(), display_.slow_release, display_.fast_creep,
                    hand_.stroke() || sandbox_->scenario().flow);
     if (hand_.stroke() || clock.paused() || clock.runs_back() || time_.target()) open_.skips = false;
-    const int by_clock = clock.ticks_due(elapsed_s, tick_s, works_in_pause(tick_s));
+    const bool calm = is_calm();
+    const bool works = works_in_pause(tick_s);
+    const int by_clock = clock.ticks_due(elapsed_s, calm ? shown_seconds(state) : tick_s, works);
     int due = open_.skips ? kSkippedTicks : by_clock;
     if (open_.lesson && !clock.runs_back())
-        due = static_cast<int>(
-            std::min<std::int64_t>(due, open_.lesson->ticks_to_stop(sandbox_->session().state().tick)));
+        due = static_cast<int>(std::min<std::int64_t>(due, open_.lesson->ticks_to_stop(state.tick)));
     const double begun = screen_.seconds();
-    if (clock.runs_back() && !time_.target()) time_.rewind_to(sandbox_->session().state().tick - due);
+    if (clock.runs_back() && !time_.target()) time_.rewind_to(state.tick - due);
     if (time_.target()) return seek(*time_.target(), begun);
     const auto may_go_on = [&](double spent) {
         return !sandbox_->watched_to_end() &&
+               (time.ticks == 0 || is_calm() == calm) &&  // what comes then lasts otherwise
                (time.ticks == 0 || spent < (open_.skips ? kSkipBudget : kTickBudget));
     };
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
@@ -453,11 +458,11 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
     }
-    if (!open_.skips) clock.ticks_undone(due - time.ticks);
-    if (sim::at_rest(sandbox_->session().state()) || has_card()) open_.skips = false;
+    if (!open_.skips && is_calm() == calm) clock.ticks_undone(due - time.ticks);
+    if (sim::at_rest(state) || is_calm() != calm || has_card()) open_.skips = false;
     if (time.ticks > 0) {
         hand_.arrive(static_cast<double>(time.ticks) / due);
-        time_.pace().see(sandbox_->session().state(), now_s());
+        time_.pace().see(state, now_s());
         judge_slides();
     }
     if (time_.sees_again() && (has_card() || !sandbox_->looks_back()))

@@ -48,7 +48,7 @@ std::optional<double> Results::judge_slide(const Sandbox& sandbox, bool creeps) 
         running_since_.reset();
         return std::nullopt;
     }
-    const bool runs = !sim::at_rest(session.state()) && !creeps;
+    const bool runs = sim::flows(session.state()) && !creeps;
     if (runs) shows_card_ = false;
     const auto lasted = just_ended(running_since_, runs, session.seconds());
     if (!lasted || !sandbox.was_touched()) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<double> Results::came_to_rest(const Sandbox& sandbox) {
         sliding_since_.reset();
         return std::nullopt;
     }
-    const bool moves = !sim::at_rest(sandbox.session().state());
+    const bool moves = sim::flows(sandbox.session().state());
     if (moves) may_share_ = false;
     const auto lasted = just_ended(sliding_since_, moves, sandbox.session().seconds());
     if (lasted) may_share_ = true;

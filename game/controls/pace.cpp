@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/weather/sky.h"
+
 namespace game {
 namespace {
 
@@ -15,6 +17,11 @@ std::ptrdiff_t struck_houses(const sim::State& state) {
 }
 
 }  // namespace
+
+double shown_seconds(const sim::State& calm) {
+    constexpr double kFair = 1.0 / 6, kStorm = 1.0 / 2;  // s
+    return sim::weather::sky_of(*calm.weather).precipitation > 0 ? kStorm : kFair;
+}
 
 void Pace::see(const sim::State& state, double now_s) {
     constexpr double kRelease = 500;  // m³ that begin to move at once; a hand pours less

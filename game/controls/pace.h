@@ -7,6 +7,9 @@
 
 namespace game {
 
+// How long an hour of weather, which is the next tick, lasts for a viewer at the usual speed, s: longer in a storm.
+double shown_seconds(const sim::State& calm);
+
 // Finds how time should pass for a viewer: slower for a moment when a slide breaks loose and when it first hits a house, and
 // faster when only creep is left of it. A view, which never affects the world.
 class Pace {

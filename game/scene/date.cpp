@@ -20,4 +20,10 @@ std::string to_string(render::Date date) {
     return fmt::format("{:02}-{:02}", date.month, date.day);
 }
 
+render::Date date_of(std::int64_t day) {
+    render::Date date{1, 1 + static_cast<int>(day % 366)};
+    for (; date.day > render::days_of(date.month); ++date.month) date.day -= render::days_of(date.month);
+    return date;
+}
+
 }  // namespace game

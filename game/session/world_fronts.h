@@ -48,10 +48,10 @@ class WorldFronts {
     sim::front::LayerRule rule_;
     sim::front::Mesh mesh_;
     std::optional<sim::front::FlowView> view_;
-    std::vector<glm::vec2> velocity_;        // m/s; 0 where no motion is visible
-    std::vector<float> rolling_;             // m
-    std::span<const float> undisturbed_;     // m; empty: unknown
-    std::vector<float> rise_;                // m; of d above it
+    std::vector<glm::vec2> velocity_;     // m/s; 0 where no motion is visible
+    std::vector<float> rolling_;          // m
+    std::span<const float> undisturbed_;  // m; empty: unknown
+    std::vector<float> rise_;             // m; of d above it
 };
 
 }  // namespace game

@@ -7,6 +7,7 @@
 
 #include "game/analysis/score.h"
 #include "game/scene/week.h"
+#include "game/words/names.h"
 #include "game/words/words.h"
 
 namespace game::ui {
@@ -130,9 +131,6 @@ void about(Desk& desk, const Catalogue::Entry* chosen, const Facts& facts, Actio
     ImGui::EndDisabled();
 }
 
-constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                             "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-
 }  // namespace
 
 void put_on(Widgets::Card& card, const std::optional<ScenePictures::Part>& picture) {
@@ -183,7 +181,7 @@ const char* write_recording(std::span<char> text, const Catalogue::Entry& record
     }
     const std::string scene = recording.name.substr(static_cast<std::size_t>(length));
     std::snprintf(text.data(), text.size(), tr("%s, %d %s %02d:%02d"), tr(title_in(catalogue.scenes, scene)),
-                  day, tr(kMonths[static_cast<std::size_t>(month - 1)]), hour, minute);
+                  day, tr(month_name(month)), hour, minute);
     return text.data();
 }
 

@@ -8,6 +8,7 @@
 #include "game/ui/legend.h"
 #include "game/ui/panels.h"
 #include "game/ui/walls.h"
+#include "game/words/names.h"
 #include "game/words/plain.h"
 #include "game/words/words.h"
 
@@ -15,11 +16,6 @@ namespace game::ui {
 namespace {
 
 constexpr float kLow = 27;  // em: below this window height the text is small
-constexpr std::array<const char*, 8> kCompass{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-
-const char* compass_point(double degrees) {
-    return kCompass[static_cast<std::size_t>(std::lround(degrees / 45)) % kCompass.size()];
-}
 
 // The slope class colour used by avalanche services; none below the first class.
 std::optional<ImU32> class_colour(double slope_deg) {

@@ -2,10 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "game/controls/key_map.h"
+#include "game/scene/date.h"
 #include "game/ui/panels.h"
+#include "game/words/names.h"
 #include "game/words/words.h"
+#include "sim/weather/sky.h"
 #include "sim/world/ledger.h"
 
 namespace game::ui {
@@ -99,6 +103,8 @@ Pace pace_of(const Facts& facts) {
         std::snprintf(pace.text.data(), pace.text.size(), tr("paused"));
     } else if (sim::at_rest(facts.state)) {
         std::snprintf(pace.text.data(), pace.text.size(), tr("at rest"));
+    } else if (sim::is_calm(facts.state)) {
+        std::snprintf(pace.text.data(), pace.text.size(), tr("weather passes"));
     } else if (facts.clock.pace() != 1) {
         std::snprintf(pace.text.data(), pace.text.size(), "%s: %.3g ×",
                       tr(facts.clock.pace() < 1 ? "slow" : "creep"),
@@ -113,6 +119,13 @@ void coloured(const char* text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
+// The hour that begins.
+void write_hour(const sim::Weather& weather) {
+    const auto day = static_cast<std::int64_t>(weather.calendar.first_day) + weather.hours / 24;
+    const render::Date date = date_of(day);
+    ImGui::Text("%d %s %02d:00", date.day, tr(month_name(date.month)), static_cast<int>(weather.hours % 24));
+}
+
 // Shows the time, and as far as there is room the pace at the right end, and the tick.
 void moment(Desk& desk, const Facts& facts) {
     const double seconds =
@@ -121,7 +134,10 @@ void moment(Desk& desk, const Facts& facts) {
     const float pace_from = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(pace.text.data()).x;
 
     ImGui::SameLine(0, desk.em());
-    ImGui::Text("%.2f s", seconds);
+    if (const sim::Weather* weather = sim::weather_of(facts.state))
+        write_hour(*weather);
+    else
+        ImGui::Text("%.2f s", seconds);
     desk.widgets.note("Time");
 
     std::array<char, 32> tick;
@@ -188,24 +204,58 @@ void timeline(Desk& desk, const Facts& facts, Actions& actions) {
     if (!near) return;
     const auto tick_s = static_cast<double>(facts.state.params.tick_s);
     std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), tr("%s%s%.1f s of %.1f s"), mark ? tr(mark->word) : "",
-                  mark ? ": " : "", to * tick_s, known * tick_s);
+    const char *word = mark ? tr(mark->word) : "", *colon = mark ? ": " : "";
+    if (facts.state.weather)  // some ticks are hours
+        std::snprintf(text.data(), text.size(), tr("%s%stick %.0f of %.0f"), word, colon, to, known);
+    else
+        std::snprintf(text.data(), text.size(), tr("%s%s%.1f s of %.1f s"), word, colon, to * tick_s,
+                      known * tick_s);
     desk.widgets.tooltip(text.data());
+}
+
+// What the hour brings.
+void weather(Desk& desk, const Facts& facts) {
+    if (!facts.state.weather) return;
+    const sim::weather::Sky sky = sim::weather::sky_of(*facts.state.weather);
+    std::array<char, 48> falls{}, blows{};
+    if (sky.precipitation > 0)
+        std::snprintf(falls.data(), falls.size(),
+                      sky.temperature < 1 ? tr("snow %.1f mm/h") : tr("rain %.1f mm/h"),
+                      static_cast<double>(sky.precipitation));
+    else
+        std::snprintf(falls.data(), falls.size(), "%s", tr(sky.cloud < 0.5f ? "clear" : "cloudy"));
+    if (sky.wind > 0) {
+        const double from = std::atan2(-sky.wind_to.x, -sky.wind_to.y) * 180 / std::numbers::pi;
+        std::snprintf(blows.data(), blows.size(), tr("wind %s %.0f m/s"), tr(compass_point(from)),
+                      static_cast<double>(sky.wind));
+    }
+    desk.widgets.dim("%.0f °C   %s   %s", static_cast<double>(sky.temperature), falls.data(), blows.data());
+    desk.widgets.note("Weather");
+    desk.widgets.tooltip(
+        "Of this hour, at the scene's height of reference; the wind is that high above the ground.");
 }
 
 void mass(Desk& desk, const Facts& facts) {
     const sim::Ledger& ledger = facts.state.ledger;
     const double quantum = static_cast<double>(sim::kQuantum) * facts.state.grid.cell_area();
-    std::array<std::array<char, 40>, 5> text;
-    const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.dug, ledger.out};
+    std::array<std::array<char, 40>, 7> text;
+    const std::array quanta{ledger.standing, ledger.rolling, ledger.poured, ledger.dug,
+                            ledger.out,      ledger.fallen,  ledger.melted};
     for (std::size_t i = 0; i < text.size(); ++i)
         write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
     const bool dug = ledger.dug != 0;
-    desk.widgets.dim("standing %s   rolling %s   poured %s%s%s   out %s", text[0].data(), text[1].data(),
-                     text[2].data(), dug ? tr("   dug ") : "", dug ? text[3].data() : "", text[4].data());
+    if (facts.state.weather)
+        desk.widgets.dim("standing %s   rolling %s   fallen %s   melted %s   out %s", text[0].data(),
+                         text[1].data(), text[5].data(), text[6].data(), text[4].data());
+    else
+        desk.widgets.dim("standing %s   rolling %s   poured %s%s%s   out %s", text[0].data(), text[1].data(),
+                         text[2].data(), dug ? tr("   dug ") : "", dug ? text[3].data() : "", text[4].data());
     desk.widgets.note("Mass");
     desk.widgets.tooltip(
-        "Volume of the standing and rolling layers, and volume poured, dug, and lost over the border.");
+        facts.state.weather
+            ? "Volume of the standing and rolling layers, and volume that fell, melted, and was lost over "
+              "the border."
+            : "Volume of the standing and rolling layers, and volume poured, dug, and lost over the border.");
 }
 
 }  // namespace
@@ -217,6 +267,7 @@ void time_bar(Desk& desk, const Facts& facts, Actions& actions) {
     ImGui::Begin("Time", nullptr, kFixedWindow | ImGuiWindowFlags_AlwaysAutoResize);
     controls(desk, facts, actions);
     moment(desk, facts);
+    weather(desk, facts);
     timeline(desk, facts, actions);
     mass(desk, facts);
     desk.time_bar_top = ImGui::GetWindowPos().y;

@@ -61,6 +61,11 @@ bool at_rest(const State& state);
 // over.
 bool is_calm(const State& state);
 
+// A flow is under way, or about to begin or to be poured: the world neither rests nor lets weather pass.
+inline bool flows(const State& state) {
+    return !at_rest(state) && !is_calm(state);
+}
+
 // None in a world without weather.
 inline const Weather* weather_of(const State& state) {
     return state.weather ? &*state.weather : nullptr;

@@ -178,6 +178,49 @@ TEST_F(Playing, passes_time_slower_where_a_slide_breaks_loose_and_lets_the_camer
     EXPECT_LT(app_->camera().target.z, following.target.z - 10);
 }
 
+TEST_F(Playing, lets_six_hours_of_weather_pass_in_a_second_and_two_in_a_storm) {
+    const auto file = folder_.path() / "storm.toml";
+    std::ofstream(file) << R"([terrain]
+generator = "alpine-valley"
+grid = 24
+[cover]
+material = "snow-dry"
+[physics]
+model = "bcre-inertial"
+[weather]
+days = 3
+[[weather.storm]]
+at = 6
+hours = 3
+precipitation = 6
+wind_from = 290
+wind_speed = 5
+warmer = -10
+)";
+    begin(file.string(), 0);
+    const auto& weather = state().weather;
+    ASSERT_TRUE(weather);
+    const auto hours_in = [&](int count) {
+        const std::int64_t before = weather->hours;
+        frames(count);
+        return weather->hours - before;
+    };
+    while (weather->hours < 1) frames(1);
+    EXPECT_NEAR(hours_in(50), 5, 1);
+    EXPECT_NEAR(hours_in(90), 3, 1) << "a storm";
+    EXPECT_NEAR(hours_in(60), 6, 1);
+    EXPECT_EQ(state().ledger.rolling, 0);
+    EXPECT_GT(state().ledger.fallen, 0);
+    const auto same_hour = [&] {
+        const std::int64_t before = weather->hours;
+        stroke(20);
+        return weather->hours - before;
+    };
+    EXPECT_LE(same_hour(), 1) << "what the hand does takes no time of the calendar";
+    EXPECT_GT(mass().poured, 0);
+    expect_recording_replays();
+}
+
 TEST_F(Playing, pours_by_holding_and_dragging_and_the_recording_replays_to_the_same_hash) {
     begin();
     point_at_slope();

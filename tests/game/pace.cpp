@@ -17,6 +17,21 @@ sim::State moving(double cubic_metres) {
     return state;
 }
 
+TEST(Pace, lets_an_hour_last_longer_in_a_storm) {
+    sim::State state = level();
+    state.weather.emplace(sim::Calendar(), state.depth);
+    EXPECT_DOUBLE_EQ(shown_seconds(state), 1.0 / 6);
+    sim::Command storm;
+    storm.kind = sim::CommandKind::kStorm;
+    storm.at = 10, storm.hours = 4, storm.precipitation = 8;
+    sim::change_program(*state.weather, storm);
+    EXPECT_DOUBLE_EQ(shown_seconds(state), 1.0 / 6);
+    state.weather->hours = 13;
+    EXPECT_DOUBLE_EQ(shown_seconds(state), 1.0 / 2);
+    state.weather->hours = 14;
+    EXPECT_DOUBLE_EQ(shown_seconds(state), 1.0 / 6);
+}
+
 TEST(Pace, slows_for_a_second_where_much_breaks_loose_at_once) {
     Pace pace;
     pace.see(moving(0), 10);

@@ -1,3 +1,4 @@
+#include "game/scene/date.h"
 #include "game/scene/scene.h"
 
 #include <filesystem>
@@ -56,6 +57,13 @@ class SceneFile : public testing::Test {
     support::TemporaryFolder folder_;
     std::filesystem::path path_;
 };
+
+TEST(Dates, are_found_from_the_day_of_the_year_and_back) {
+    for (int day = 0; day < 366; ++day) EXPECT_EQ(render::day_of_year(date_of(day)), day + 1);
+    EXPECT_EQ(to_string(date_of(0)), "01-01");
+    EXPECT_EQ(to_string(date_of(366 + 59)), "02-29");
+    EXPECT_EQ(to_string(date_of(335)), "12-01");
+}
 
 TEST(ShippedScenes, are_recorded_in_files_that_can_be_read) {
     const support::TemporaryFolder folder;

@@ -26,6 +26,7 @@
 #include "game/scene/lesson.h"
 #include "game/sound/waves.h"
 #include "game/words/language.h"
+#include "game/words/names.h"
 #include "game/words/plain.h"
 #include "game/words/words.h"
 #include "sim/world/params.h"
@@ -302,6 +303,17 @@ TEST_F(Catalogues, of_a_person_come_first_and_damaged_ones_are_told) {
     EXPECT_NE(some.told()[0].find("broken.po:1:"), std::string::npos) << some.told()[0];
     ASSERT_EQ(many.told().size(), 2u);
     EXPECT_NE(many.told()[0].find("more than 64 languages"), std::string::npos) << many.told()[0];
+}
+
+TEST(Words, name_directions_and_months) {
+    EXPECT_STREQ(compass_point(0), "N");
+    EXPECT_STREQ(compass_point(360), "N");
+    EXPECT_STREQ(compass_point(-90), "W");
+    EXPECT_STREQ(compass_point(-360), "N");
+    EXPECT_STREQ(compass_point(112), "E");
+    EXPECT_STREQ(compass_point(113), "SE");
+    EXPECT_STREQ(month_name(1), "Jan");
+    EXPECT_STREQ(month_name(12), "Dec");
 }
 
 TEST(Languages, are_asked_for_by_the_system_as_gettext_reads_it) {

@@ -108,9 +108,8 @@ TEST(Weather, belongs_to_the_hash_and_no_hash_changes_without_it) {
     EXPECT_TRUE(changes([](sim::Weather& w) { w.anchored = false; }));
     EXPECT_TRUE(changes([](sim::Weather& w) { w.stirred = 7; }));
     EXPECT_TRUE(changes([](sim::Weather& w) { w.greatest_motion = 7; }));
-    for (const auto field :
-         {&sim::Weather::base, &sim::Weather::strength, &sim::Weather::water, &sim::Weather::surface,
-          &sim::Weather::undisturbed})
+    for (const auto field : {&sim::Weather::base, &sim::Weather::strength, &sim::Weather::water,
+                             &sim::Weather::surface, &sim::Weather::undisturbed})
         EXPECT_TRUE(changes([&](sim::Weather& w) { (w.*field)(3, 4) += 1; }));
 }
 
@@ -301,6 +300,44 @@ TEST(Weather, lets_slabs_go_after_a_storm_on_hoar) {
     }
     EXPECT_GE(hours_of_releases, 1);
     EXPECT_EQ(play.state.ledger.mass_error(), 0);
+}
+
+// A storm on a plane whose only weak layer is the ground. Strength and load of each vertex are computed beside it, hour by hour.
+TEST(Weather, lets_a_plane_of_38_degrees_go_when_it_must_and_none_of_27) {
+    for (const auto& [degrees, water] : {std::pair(38., 480.), std::pair(27., 960.)}) {
+        const double tangent = std::tan(degrees * std::acos(-1.) / 180), per_metre = 200 * 9.81;  // Pa
+        Play play(snowy(support::plane(40, 12.5f, tangent), days(3)), support::loose_dry_snow());
+        play.ticks(1, std::vector{storm(0, 48, water)});
+        std::vector<double> strength(play.state.grid.size());
+        int unstable = 0, looks_before = 0;
+        for (int hour = 1; hour <= 48 && play.state.ledger.rolling == 0; ++hour) {
+            play.ticks(1);
+            ASSERT_EQ(play.state.weather->hours, hour);
+            for (std::size_t i = 0; i < strength.size(); ++i) {
+                const int x = static_cast<int>(i) % 41, y = static_cast<int>(i) / 41;
+                const double slab = static_cast<double>(play.state.depth(x, y) + play.state.rolling(x, y));
+                const double load = per_metre * slab / (1 + tangent * tangent);
+                if (hour == 1)
+                    strength[i] = static_cast<double>(play.state.weather->strength(x, y));
+                else
+                    strength[i] += std::max(700 + 1.2 * load - strength[i], 0.) / 40;
+                if (hour % 12 != 0) continue;
+                const double index = strength[i] / (load * tangent);
+                unstable += index < 0.98;
+                if (degrees < 28) continue;
+                if (index < 0.98) {
+                    EXPECT_GT(play.state.rolling(x, y), 0) << hour << ' ' << x << ' ' << y;
+                }
+                if (index > 1.37) {
+                    EXPECT_EQ(play.state.rolling(x, y), 0) << hour << ' ' << x << ' ' << y;
+                }
+            }
+            looks_before += hour % 12 == 0 && unstable == 0;
+        }
+        EXPECT_GT(unstable, 10) << degrees;
+        EXPECT_TRUE(degrees < 28 || looks_before > 0) << "at first it holds";
+        EXPECT_EQ(play.state.ledger.rolling > 0, degrees > 28);
+    }
 }
 
 // Executors, instruction sets, threads and tiles; and after going back to the middle.
