@@ -243,10 +243,12 @@ void mass(Desk& desk, const Facts& facts) {
                             ledger.out,      ledger.fallen,  ledger.melted};
     for (std::size_t i = 0; i < text.size(); ++i)
         write_volume(text[i], static_cast<double>(quanta[i]) * quantum);
-    const bool dug = ledger.dug != 0;
+    const bool poured = ledger.poured != 0, dug = ledger.dug != 0;
     if (facts.state.weather)
-        desk.widgets.dim("standing %s   rolling %s   fallen %s   melted %s   out %s", text[0].data(),
-                         text[1].data(), text[5].data(), text[6].data(), text[4].data());
+        desk.widgets.dim("standing %s   rolling %s   fallen %s   melted %s%s%s%s%s   out %s", text[0].data(),
+                         text[1].data(), text[5].data(), text[6].data(), poured ? tr("   poured ") : "",
+                         poured ? text[2].data() : "", dug ? tr("   dug ") : "", dug ? text[3].data() : "",
+                         text[4].data());
     else
         desk.widgets.dim("standing %s   rolling %s   poured %s%s%s   out %s", text[0].data(), text[1].data(),
                          text[2].data(), dug ? tr("   dug ") : "", dug ? text[3].data() : "", text[4].data());
