@@ -435,8 +435,7 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
     if (time_.target()) return seek(*time_.target(), begun);
     const auto may_go_on = [&](double spent) {
         return !sandbox_->watched_to_end() &&
-               (time.ticks == 0 || is_calm() == calm) &&  // what comes then lasts otherwise
-               (time.ticks == 0 || spent < (open_.skips ? kSkipBudget : kTickBudget));
+               (time.ticks == 0 || (is_calm() == calm && spent < (open_.skips ? kSkipBudget : kTickBudget)));
     };
     for (double spent = 0; time.ticks < due && may_go_on(spent); ++time.ticks) {
         const auto commands = hand_.commands_of(time.ticks, due, tick_s, !sandbox_->looks_back());
@@ -458,8 +457,9 @@ void App::run_ticks(double elapsed_s, FrameTime& time) {
         time.worst_tick_ms = std::max(time.worst_tick_ms, static_cast<float>(1000 * (now - spent)));
         spent = now;
     }
-    if (!open_.skips && is_calm() == calm) clock.ticks_undone(due - time.ticks);
-    if (sim::at_rest(state) || is_calm() != calm || has_card()) open_.skips = false;
+    const bool turned = is_calm() != calm;  // from weather to a flow, or back: what is next lasts otherwise
+    if (!open_.skips && !turned) clock.ticks_undone(due - time.ticks);
+    if (sim::at_rest(state) || turned || has_card()) open_.skips = false;
     if (time.ticks > 0) {
         hand_.arrive(static_cast<double>(time.ticks) / due);
         time_.pace().see(state, now_s());

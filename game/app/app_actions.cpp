@@ -364,7 +364,7 @@ void App::tell_camera_mode() {
                   name_of(keys, Verb::kTopDown)));
     if (lookout_.control().mode() == CameraMode::kChase)
         tell(said("The camera follows the front of {}. Press {} to stop",
-                  sim::at_rest(sandbox_->session().state()) ? tr("the next slide") : tr("the slide"),
+                  sim::flows(sandbox_->session().state()) ? tr("the slide") : tr("the next slide"),
                   name_of(keys, Verb::kChase)));
     if (lookout_.control().mode() == CameraMode::kFly)
         tell(said("Fly mode. Move with {} or arrows, look with the right button; press {} to return",

@@ -93,8 +93,7 @@ void hint(Desk& desk, const Facts& facts) {
     if (facts.guide && facts.guide->step() != Guide::Step::kDone && !facts.scenario.goal)
         return;  // it says more
     if (facts.touched || facts.looks_back() || facts.is_bare() || desk.panels.is_open(Panel::kHelp)) return;
-    if (!sim::at_rest(facts.state) && !facts.scenario.flow)
-        return;  // what moves by itself is looked at first
+    if (sim::flows(facts.state) && !facts.scenario.flow) return;  // what moves by itself is looked at first
     std::array<char, 256> text;
     const std::string keys = name_of(facts.keys, Verb::kToggleHelp);
     if (facts.scenario.flow)

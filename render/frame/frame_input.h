@@ -48,9 +48,9 @@ struct FrameInput {
     std::optional<WholeImage> whole = {};
     std::optional<Lens> lens = {};  // none: as the eye sees
     // Depth of the standing layer at tick 0, m, one value per vertex, row 0 the south; valid during the call.
-    // It tells deposits and scars from untouched ground. If empty, they are unknown.
+    // Trees and houses stand on it. If empty, it is unknown.
     std::span<const float> first_depth = {};
-    // The same without what slid, where weather has changed that depth since. If empty, it is the first depth.
+    // What it would be now without slides, which tells deposits and scars. If empty, it is the first depth.
     std::span<const float> undisturbed = {};
     // Of this world, with this first depth. If null, the block of terrain stands by itself, with walls.
     const Surroundings* surroundings = nullptr;

@@ -190,7 +190,7 @@ FrameBlock make_frame_block(const FrameInput& input, HeightRange heights, int sa
         block.flow_tint = glm::vec4(*flow_tint, 0);
     }
     block.material =
-        glm::dvec4(look.roughness * look.detail, pixel, samples, input.first_depth.empty() ? 0 : 1);
+        glm::dvec4(look.roughness * look.detail, pixel, samples, input.untouched().empty() ? 0 : 1);
     if (input.surroundings && !input.surroundings->empty())
         block.beyond = glm::dvec4(input.surroundings->rough_origin(), input.surroundings->rough_cell(), 1);
     set_marks(block, input.marks, heights, world.datum);

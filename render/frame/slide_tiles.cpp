@@ -54,7 +54,7 @@ void SlideTiles::find(const FrameInput& input, const OnScreen& screen, bool by_k
     before_.swap(tiles_);
     // A texture may lie wherever it moved before; without the first depth nobody knows where.
     const bool everywhere =
-        input.look.flow && input.flow && (input.look.flow->everywhere || input.first_depth.empty());
+        input.look.flow && input.flow && (input.look.flow->everywhere || input.untouched().empty());
     std::fill(tiles_.begin(), tiles_.end(), static_cast<std::uint8_t>(by_kind ? everywhere : 2));
     std::fill(blocks_.begin(), blocks_.end(), std::uint8_t{0});
     const bool slides = !everywhere && find_blocks(input);
